@@ -1,0 +1,99 @@
+#include "bus/shark/framer.hpp"
+
+namespace bus {
+namespace shark {
+
+using namespace base;  // literals
+
+namespace {
+constexpr Micros longest_gap = 3000_us;  // SB-2.11
+}
+
+Verdict Framer::feed(const HeardByte& byte) {
+  Verdict verdict;
+  end_overdue(byte.at, verdict);
+  last_ = byte.at;
+  is_line_quiet_ = false;
+
+  if (byte.is_spoiled) {  // SB-2.10: nothing in it can be trusted, not even its marker
+    drop_packet(verdict);
+  } else if (has_marker(byte.value)) {
+    if (state_ == State::packet) {
+      verdict.what = append(byte.value);
+      if (state_ == State::packet) {
+        return verdict;
+      }
+      verdict.corrupt = static_cast<uint8_t>(verdict.corrupt + (verdict.what == Verdict::What::nothing ? 1 : 0));
+    } else {
+      drop_packet(verdict);  // SB-2.10: a run of such bytes outside any packet is one corrupt packet
+    }
+  } else {
+    if (state_ == State::packet) {  // SB-2.10: a new start byte before the packet is complete
+      ++verdict.corrupt;
+    }
+    begin(byte.value);
+    if (state_ == State::idle) {
+      verdict.what = Verdict::What::finished;
+    }
+  }
+  return verdict;
+}
+
+Verdict Framer::poll(Stamp now) {
+  Verdict verdict;
+  end_overdue(now, verdict);
+  return verdict;
+}
+
+void Framer::reset() {
+  state_ = State::idle;
+  is_line_quiet_ = true;
+}
+
+// SB-2.10, SB-2.11: 3 ms without a byte end whatever was going on.
+void Framer::end_overdue(Stamp now, Verdict& verdict) {
+  if (is_line_quiet_ || now - last_ < longest_gap) {
+    return;
+  }
+  if (state_ == State::packet) {
+    ++verdict.corrupt;
+  }
+  state_ = State::idle;
+  is_line_quiet_ = true;
+  verdict.silence = true;
+}
+
+// A byte without a marker: TF, or the start of a packet.
+void Framer::begin(uint8_t start) {
+  if (start == transmit_finished) {  // SB-2.6
+    state_ = State::idle;
+    return;
+  }
+  frame_.type = type_of(start);
+  frame_.length = length_of(start);
+  received_ = 0;
+  sum_ = start;
+  state_ = State::packet;
+}
+
+Verdict::What Framer::append(uint8_t byte) {
+  if (received_ < frame_.length) {
+    frame_.data[received_] = static_cast<uint8_t>(byte & ~marker_bit);
+    ++received_;
+    sum_ = static_cast<uint8_t>(sum_ + byte);
+    return Verdict::What::nothing;
+  }
+  state_ = State::idle;
+  return byte == checksum(sum_) ? Verdict::What::frame : Verdict::What::nothing;  // SB-2.5
+}
+
+// The byte belongs to no sound packet; whatever follows up to a start byte, TF or silence goes with it.
+void Framer::drop_packet(Verdict& verdict) {
+  if (state_ != State::discard) {
+    ++verdict.corrupt;
+  }
+  state_ = State::discard;
+}
+
+}  // namespace shark
+}  // namespace bus

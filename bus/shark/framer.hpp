@@ -1,0 +1,68 @@
+// Bytes and their times become frames, turn ends and corrupt packets (SB-2.3 to SB-2.6, SB-2.10 to SB-2.12).
+//
+// Goals: whatever comes in, the next whole packet after it is understood; one verdict a packet.
+// Assumptions: bytes come oldest first with the receiver's stamps; poll() is called at least every 500 us.
+// Invariants: at most one packet is being assembled; a verdict is given once; no byte ever counts for two packets.
+#pragma once
+
+#include <stdint.h>
+
+#include "bus/shark/frame.hpp"
+#include "drivers/base/heard_byte.hpp"
+#include "drivers/base/time.hpp"
+
+namespace bus {
+namespace shark {
+
+// What one byte, or the passing of time, has brought to light, in this order.
+struct Verdict {
+  enum class What : uint8_t {
+    nothing,
+    frame,     // a packet with the right checksum: see Framer::frame()
+    finished,  // TF
+  };
+  uint8_t corrupt = 0;   // packets found corrupt: the one before this byte, and this byte itself as a stray
+  bool silence = false;  // 3 ms passed without a byte: the turn is over (SB-2.11, SB-2.12)
+  What what = What::nothing;
+};
+
+class Framer {
+ public:
+  Verdict feed(const base::HeardByte& byte);
+  // Call when no byte is waiting.
+  Verdict poll(base::Stamp now);
+
+  // The frame of the last `frame` verdict; valid until the next feed().
+  const Frame& frame() const { return frame_; }
+
+  // True while a packet lacks only its checksum: its verdict is at most one character away, so long work waits.
+  bool is_nearly_complete() const { return state_ == State::packet && received_ == frame_.length; }
+
+  // When the last byte came, as far as it is less than 65 ms ago.
+  base::Stamp last_byte() const { return last_; }
+
+  // Forgets a packet in progress without a verdict, as when wake makes the bus unreadable (SB-1.3).
+  void reset();
+
+ private:
+  enum class State : uint8_t {
+    idle,     // between packets
+    packet,   // start byte seen
+    discard,  // in a corrupt packet that has had its verdict: until a start byte, TF or silence
+  };
+
+  void end_overdue(base::Stamp now, Verdict& verdict);
+  void begin(uint8_t start);
+  Verdict::What append(uint8_t byte);
+  void drop_packet(Verdict& verdict);
+
+  Frame frame_;
+  State state_ = State::idle;
+  uint8_t received_ = 0;  // data bytes so far
+  uint8_t sum_ = 0;
+  base::Stamp last_;           // of the last byte
+  bool is_line_quiet_ = true;  // silence has been reported since the last byte
+};
+
+}  // namespace shark
+}  // namespace bus

@@ -1,0 +1,66 @@
+// When we may speak, and what (SB-2.7, SB-2.12, SB-2.13).
+//
+// Goals: an answer for every turn that earned one, none for any other, never in somebody else's slot.
+// Assumptions: the transmitter, once armed, begins by itself at the next clean TF; is_speaking says whether it has.
+// Invariants: one answer at most for each heard turn; a turn that earned none ends in silence.
+#pragma once
+
+#include <stdint.h>
+
+#include "bus/shark/turn.hpp"
+#include "drivers/base/time.hpp"
+
+namespace bus {
+namespace shark {
+
+// What the transmitter shall do with turn().
+enum class Speech : uint8_t {
+  as_it_is,  // nothing new
+  arm,       // speak right after the next TF
+  speak,     // speak now
+  hush,      // forget what waits or is left
+};
+
+class Responder {
+ public:
+  // The turn being heard holds what deserves an answer: fill the turn, then close() it.
+  Turn& open() {
+    turn_.open();
+    return turn_;
+  }
+  void close() {
+    turn_.close();
+    is_earned_ = true;
+    speech_ = Speech::arm;
+  }
+
+  // The turn being heard is over, since `age`. False if an answer was due but its time has passed.
+  bool finish(bool is_speaking, base::Micros age, base::Micros latest) {
+    const bool is_due = is_earned_ && !is_speaking;
+    is_earned_ = false;
+    if (!is_due) {
+      return true;
+    }
+    speech_ = age <= latest ? Speech::speak : Speech::hush;
+    return age <= latest;
+  }
+
+  // No communication is possible (SB-1.3).
+  void hush() {
+    is_earned_ = false;
+    speech_ = Speech::hush;
+  }
+
+  // At the beginning of a step: nothing new to say yet.
+  void begin_step() { speech_ = Speech::as_it_is; }
+  Speech speech() const { return speech_; }
+  const Turn& turn() const { return turn_; }
+
+ private:
+  Turn turn_;
+  bool is_earned_ = false;
+  Speech speech_ = Speech::as_it_is;
+};
+
+}  // namespace shark
+}  // namespace bus

@@ -1,0 +1,42 @@
+// The Shark Bus transceiver: UART0, 38400 bps 8N2, half duplex (SB-2.1). The transmit pin is recessive
+// (high) except while a turn is being sent (SB-1.1). Our own characters come back from the line; they are
+// checked here and never handed out (SB-1.4).
+#pragma once
+
+#include <stdint.h>
+
+#include "drivers/base/heard_byte.hpp"
+#include "drivers/base/span.hpp"
+#include "drivers/base/turn_sender.hpp"
+
+namespace drivers {
+namespace serial {
+
+// Configures the UART and begins to listen. Call once, interrupts still off.
+void start();
+
+// The oldest character that was heard and not yet taken; false if there is none. Characters lost because
+// nobody took them mark the next one as spoiled.
+bool take(base::HeardByte& byte);
+
+// Speaks `turn` as soon as a clean `terminator` has ended on the line: the first start bit follows the
+// terminator's last stop bit by less than 100 us, whatever the loop is doing. The bytes are copied.
+// Replaces a turn that still waits; ignored while speaking.
+void arm(uint8_t terminator, base::Span<const uint8_t> turn);
+
+// Speaks `turn` now, or not at all if already speaking. For the rare cases without a terminator (SB-2.12).
+void speak(base::Span<const uint8_t> turn);
+
+// Forgets a waiting turn and the rest of one being sent.
+void hush();
+
+base::TurnSender::State state();
+
+// Whether an echo differed from what was sent since this was last asked (SB-1.4).
+bool take_clash();
+
+// Writes the UART's configuration registers again, undoing an upset. Cheap; once a millisecond.
+void refresh();
+
+}  // namespace serial
+}  // namespace drivers

@@ -1,0 +1,140 @@
+// Walks a table of fault rows once for each change and says what all of them together do to the chair.
+//
+// Goals: a fault's whole behaviour is its row; the usual case (nothing changed, nothing pending) costs next to nothing.
+// Assumptions: the table lies in flash, rows in order of severity, most severe first.
+// Invariants: what a row latches only its own end condition clears; nothing here looks at what a fault means.
+#pragma once
+
+#include <stdint.h>
+
+#include "drivers/base/flash.hpp"
+#include "drivers/base/span.hpp"
+#include "drivers/base/time.hpp"
+#include "faults/row.hpp"
+#include "faults/set.hpp"
+
+namespace faults {
+
+// What the faults of this moment add up to.
+struct Summary {
+  bool is_transient = false;  // an until_link stop is in force (SB-2.14, SB-2.15)
+  bool must_stop = false;     // any stop is in force, TRANSIENT included
+  bool is_limping = false;
+  uint8_t system_state = 0;
+};
+
+template <typename Fault, uint8_t row_count>
+class Manager {
+ public:
+  constexpr Manager()
+      : present_(),
+        counted_(),
+        stopping_(),
+        limping_(),
+        begun_(),
+        since_(),
+        summary_(),
+        is_pending_(false),
+        was_link_up_(false) {}
+
+  // `present` are the conditions that hold now; `is_link_up` whether communication is (re-)established.
+  // Returns the faults that began to count with this call, for the log.
+  Set<Fault> update(const Row (&rows)[row_count], Set<Fault> present, bool is_link_up, base::Instant now) {
+    begun_ = Set<Fault>();
+    if (present != present_ || is_pending_ || is_link_up != was_link_up_) {
+      walk(rows, present, is_link_up, now);
+    }
+    return begun_;
+  }
+
+  const Summary& summary() const { return summary_; }
+  // Conditions that hold and have outlasted their debounce.
+  Set<Fault> active() const { return counted_; }
+  // Faults that stop the chair, or make it limp, right now: present or latched.
+  Set<Fault> stopping() const { return stopping_; }
+  Set<Fault> limping() const { return limping_; }
+
+ private:
+  void walk(const Row (&rows)[row_count], Set<Fault> present, bool is_link_up, base::Instant now) {
+    Summary sum;
+    is_pending_ = false;
+    Set<Fault> fault = Set<Fault>::first();
+    for (uint8_t i = 0; i < row_count; ++i) {
+      const Row row = base::from_flash(rows[i]);
+      const bool counts = present.has(fault) && outlasts_debounce(row, fault, now);
+      begun_.put(fault, counts && !counted_.has(fault));
+      counted_.put(fault, counts);
+      stopping_.put(fault, keeps_stopping(row.stops, counts, stopping_.has(fault), is_link_up));
+      limping_.put(fault, keeps_limping(row.limps, counts, limping_.has(fault)));
+      add_up(row, fault, sum);
+      fault = fault.next();
+    }
+    present_ = present;
+    was_link_up_ = is_link_up;
+    summary_ = sum;
+  }
+
+  // For a condition that is present.
+  bool outlasts_debounce(const Row& row, Set<Fault> fault, base::Instant now) {
+    if (row.debounce_ms == 0 || counted_.has(fault)) {
+      return true;
+    }
+    if (!present_.has(fault)) {
+      since_[row.fault] = now;
+    }
+    if (now - since_[row.fault] >= base::Millis(row.debounce_ms)) {
+      return true;
+    }
+    is_pending_ = true;
+    return false;
+  }
+
+  static bool keeps_stopping(Stops stops, bool counts, bool was_stopping, bool is_link_up) {
+    switch (stops) {
+      case Stops::no:
+        return false;
+      case Stops::while_present:
+        return counts;
+      case Stops::until_link:
+        return counts || (was_stopping && !is_link_up);  // SB-2.16
+      case Stops::until_power_down:
+        return counts || was_stopping;
+    }
+    return true;
+  }
+
+  static bool keeps_limping(Limps limps, bool counts, bool was_limping) {
+    switch (limps) {
+      case Limps::no:
+        return false;
+      case Limps::while_present:
+        return counts;
+      case Limps::until_power_down:
+        return counts || was_limping;  // SB-2.16
+    }
+    return true;
+  }
+
+  void add_up(const Row& row, Set<Fault> fault, Summary& sum) const {
+    const bool stops = stopping_.has(fault);
+    const bool limps = limping_.has(fault);
+    sum.must_stop = sum.must_stop || stops;
+    sum.is_transient = sum.is_transient || (stops && row.stops == Stops::until_link);
+    sum.is_limping = sum.is_limping || limps;
+    if (sum.system_state == 0 && (stops || limps || counted_.has(fault))) {  // SB-01.9
+      sum.system_state = row.system_state;
+    }
+  }
+
+  Set<Fault> present_;
+  Set<Fault> counted_;
+  Set<Fault> stopping_;
+  Set<Fault> limping_;
+  Set<Fault> begun_;
+  base::Array<base::Instant, row_count> since_;  // when a debounced condition was first present
+  Summary summary_;
+  bool is_pending_;  // a debounce is running
+  bool was_link_up_;
+};
+
+}  // namespace faults

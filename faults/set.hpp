@@ -1,0 +1,42 @@
+// A set of the values of one enum, as bits. The enum's values count up from 0 and stay below 16.
+#pragma once
+
+#include <stdint.h>
+
+namespace faults {
+
+template <typename Item>
+class Set {
+ public:
+  using Bits = uint16_t;
+
+  constexpr Set() : bits_(0) {}
+
+  static constexpr Set of(Item item) { return Set(static_cast<Bits>(Bits{1} << static_cast<uint8_t>(item))); }
+  // Walking all items in order, without a shift by a variable: first(), then next() of each.
+  static constexpr Set first() { return Set(1); }
+  constexpr Set next() const { return Set(static_cast<Bits>(bits_ << 1)); }
+
+  constexpr bool has(Item item) const { return has(of(item)); }
+  constexpr bool has(Set some) const { return (bits_ & some.bits_) != 0; }
+  constexpr bool empty() const { return bits_ == 0; }
+  constexpr bool operator==(Set other) const { return bits_ == other.bits_; }
+  constexpr bool operator!=(Set other) const { return bits_ != other.bits_; }
+
+  constexpr Set operator|(Set other) const { return Set(static_cast<Bits>(bits_ | other.bits_)); }
+  constexpr Set operator&(Set other) const { return Set(static_cast<Bits>(bits_ & other.bits_)); }
+  constexpr Set without(Set other) const { return Set(static_cast<Bits>(bits_ & ~other.bits_)); }
+
+  void put(Item item, bool is_in) { put(of(item), is_in); }
+  void put(Set some, bool is_in) { bits_ = static_cast<Bits>(is_in ? (bits_ | some.bits_) : (bits_ & ~some.bits_)); }
+  void add(Item item) { put(item, true); }
+
+  constexpr Bits bits() const { return bits_; }
+
+ private:
+  constexpr explicit Set(Bits bits) : bits_(bits) {}
+
+  Bits bits_;
+};
+
+}  // namespace faults

@@ -1,0 +1,72 @@
+// The CPU in simavr: image, run loop, sleep, resets. The peripherals' mends are parts of their own, built on this.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "simulation/board/avr_clock.hpp"
+#include "simulation/board/avr_image.hpp"
+#include "simulation/board/avr_interrupts.hpp"
+#include "simulation/board/avr_simavr.hpp"
+#include "simulation/board/spm_board.hpp"
+
+namespace simulation {
+
+class AvrCore {
+ public:
+  // Throws std::runtime_error for an unknown chip or an image that does not fit.
+  AvrCore(const std::string& mcu, std::uint32_t frequency, const AvrImage& image);
+  ~AvrCore();
+  AvrCore(const AvrCore&) = delete;
+  AvrCore& operator=(const AvrCore&) = delete;
+
+  avr_t& avr() { return *avr_; }
+  const avr_t& avr() const { return *avr_; }
+  AvrInterrupts& interrupts() { return *interrupts_; }
+  const AvrInterrupts& interrupts() const { return *interrupts_; }
+
+  Cycle now() const { return avr_->cycle; }
+
+  // Runs up to `target`, an instruction further at most; or until just after stop().
+  void run(Cycle target);
+  void stop();
+
+  // Power-on fills RAM and the CPU's registers with garbage first.
+  void reset(ResetKind kind);
+  // `again` runs at the end of every reset, the watchdog's included: the place to re-arm timers and levels.
+  void on_reset(std::function<void()> again) { reset_calls_.push_back(std::move(again)); }
+
+  void complain(const std::string& text);
+  BoardStatistics& statistics() { return statistics_; }
+  const BoardStatistics& statistics() const { return statistics_; }
+
+  // The byte that power-on left at a RAM address.
+  static std::uint8_t garbage(std::uint16_t address);
+
+ private:
+  struct ResetHook : avr_io_t {
+    AvrCore* core;
+  };
+
+  void step(Cycle target);
+  void sleep_on(Cycle target);
+  void stay_frozen(Cycle target);
+  void run_instructions();
+  void fall_asleep();
+  void check_sanity();
+  void after_reset();
+  avr_cycle_count_t reach_target(avr_cycle_count_t) { return 0; }
+
+  avr_t* avr_ = nullptr;
+  std::unique_ptr<AvrInterrupts> interrupts_;
+  ResetHook reset_hook_{};
+  std::vector<std::function<void()>> reset_calls_;
+  BoardStatistics statistics_;
+  std::size_t code_size_;
+  bool is_stopping_ = false;
+  bool was_asleep_ = false;
+  bool has_strayed_ = false;
+};
+
+}  // namespace simulation

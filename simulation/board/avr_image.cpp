@@ -1,0 +1,156 @@
+#include "simulation/board/avr_image.hpp"
+
+#include <elf.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace simulation {
+namespace {
+
+// avr-gcc's linker keeps the address spaces apart by these offsets.
+constexpr std::uint32_t ram_offset = 0x800000;
+constexpr std::uint32_t address_mask = 0xFFFF;
+constexpr std::size_t largest_flash = 256 * 1024;
+
+using Bytes = std::vector<std::uint8_t>;
+
+void place(Bytes& flash, std::size_t address, const std::uint8_t* data, std::size_t size) {
+  if (address + size > largest_flash) {
+    throw std::runtime_error("it holds code at an address that no AVR has");
+  }
+  if (flash.size() < address + size) {
+    flash.resize(address + size, 0xFF);
+  }
+  std::copy(data, data + size, flash.begin() + static_cast<std::ptrdiff_t>(address));
+}
+
+template <typename T>
+T piece(const Bytes& file, std::size_t offset) {
+  if (offset + sizeof(T) > file.size()) {
+    throw std::runtime_error("the ELF file is cut short");
+  }
+  T value;
+  std::memcpy(&value, file.data() + offset, sizeof value);
+  return value;
+}
+
+void read_symbols(const Bytes& file, const Elf32_Ehdr& header, const Elf32_Shdr& table, AvrImage& image) {
+  const auto names = piece<Elf32_Shdr>(file, header.e_shoff + table.sh_link * sizeof(Elf32_Shdr));
+  for (std::size_t offset = 0; offset < table.sh_size; offset += sizeof(Elf32_Sym)) {
+    const auto symbol = piece<Elf32_Sym>(file, table.sh_offset + offset);
+    const std::size_t at = std::size_t{names.sh_offset} + symbol.st_name;
+    if (symbol.st_name == 0 || symbol.st_shndx == SHN_UNDEF || at >= file.size()) {
+      continue;
+    }
+    const auto* name = reinterpret_cast<const char*>(file.data() + at);
+    const std::uint32_t value = symbol.st_value;
+    image.symbols[std::string(name, strnlen(name, file.size() - at))] =
+        value >= ram_offset ? value & address_mask : value;
+  }
+}
+
+AvrImage parse_elf(const Bytes& file) {
+  const auto header = piece<Elf32_Ehdr>(file, 0);
+  if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_machine != EM_AVR) {
+    throw std::runtime_error("it is not an ELF file for an AVR");
+  }
+  AvrImage image;
+  for (std::size_t i = 0; i < header.e_phnum; ++i) {
+    const auto segment = piece<Elf32_Phdr>(file, header.e_phoff + i * sizeof(Elf32_Phdr));
+    if (segment.p_type != PT_LOAD || segment.p_filesz == 0 || segment.p_paddr >= ram_offset) {
+      continue;
+    }
+    if (std::size_t{segment.p_offset} + segment.p_filesz > file.size()) {
+      throw std::runtime_error("the ELF file is cut short");
+    }
+    place(image.flash, segment.p_paddr, file.data() + segment.p_offset, segment.p_filesz);
+  }
+  for (std::size_t i = 0; i < header.e_shnum; ++i) {
+    const auto section = piece<Elf32_Shdr>(file, header.e_shoff + i * sizeof(Elf32_Shdr));
+    if (section.sh_type == SHT_SYMTAB) {
+      read_symbols(file, header, section, image);
+    }
+  }
+  return image;
+}
+
+Bytes hex_record(const std::string& line) {
+  if (line.size() < 11 || line[0] != ':' || line.size() % 2 == 0) {
+    throw std::runtime_error("it is not an Intel HEX file");
+  }
+  Bytes bytes;
+  std::uint8_t sum = 0;
+  for (std::size_t i = 1; i < line.size(); i += 2) {
+    bytes.push_back(static_cast<std::uint8_t>(std::stoul(line.substr(i, 2), nullptr, 16)));
+    sum = static_cast<std::uint8_t>(sum + bytes.back());
+  }
+  if (sum != 0 || bytes.size() != std::size_t{bytes[0]} + 5) {
+    throw std::runtime_error("a line of the Intel HEX file is damaged: " + line);
+  }
+  return bytes;
+}
+
+AvrImage parse_hex(const Bytes& file) {
+  AvrImage image;
+  std::size_t base = 0;
+  std::string line;
+  for (const std::uint8_t character : file) {
+    if (character != '\n' && character != '\r') {
+      line += static_cast<char>(character);
+      continue;
+    }
+    if (line.empty()) {
+      continue;
+    }
+    const Bytes record = hex_record(line);
+    line.clear();
+    const std::size_t field = std::size_t{record[1]} << 8 | record[2];
+    const std::size_t payload = std::size_t{record[4]} << 8 | record[5];
+    switch (record[3]) {
+      case 0:
+        place(image.flash, base + field, record.data() + 4, record[0]);
+        break;
+      case 1:
+        return image;
+      case 2:
+        base = payload << 4;
+        break;
+      case 4:
+        base = payload << 16;
+        break;
+      default:
+        break;  // start addresses mean nothing to an AVR
+    }
+  }
+  throw std::runtime_error("the Intel HEX file has no end record");
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> AvrImage::address_of(const std::string& symbol) const {
+  const auto found = symbols.find(symbol);
+  return found == symbols.end() ? std::nullopt : std::optional(found->second);
+}
+
+AvrImage load_avr_image(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(path)) {
+    throw std::runtime_error("no firmware image at '" + path + "'; `cmake --build build --target firmware` makes it");
+  }
+  const Bytes file{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  try {
+    AvrImage image = path.ends_with(".hex") ? parse_hex(file) : parse_elf(file);
+    if (image.flash.empty()) {
+      throw std::runtime_error("it holds no code");
+    }
+    return image;
+  } catch (const std::exception& reason) {
+    throw std::runtime_error("cannot use the firmware image '" + path + "': " + reason.what());
+  }
+}
+
+}  // namespace simulation

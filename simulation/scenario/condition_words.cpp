@@ -1,0 +1,158 @@
+// Every word a condition may use. The words about the SPM's report are the names of its general packet's
+// fields, from the decode table.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "simulation/report/decode.hpp"
+#include "simulation/scenario/condition.hpp"
+
+namespace simulation::scenario {
+namespace {
+
+constexpr double standstill = 0.01;     // m/s
+constexpr double no_turning = 1.0;      // degrees a second
+
+using Test = std::function<bool(const Facts&, const Anchor&)>;
+
+Test when(bool (*fact)(const Facts&)) {
+  return [fact](const Facts& facts, const Anchor&) { return fact(facts); };
+}
+
+Choice either(const char* yes, const char* no, Test is_true) {
+  return {{{yes, is_true}, {no, [is_true](const Facts& f, const Anchor& a) { return !is_true(f, a); }}}};
+}
+
+Choice yes_or_no(Test is_true) {
+  return either("yes", "no", std::move(is_true));
+}
+
+Gauge gauge(Measure measure, double (*read)(const Facts&)) {
+  return {measure, [read](const Facts& facts, const Anchor&) { return std::optional(read(facts)); }};
+}
+
+bool is_moving(const Facts& f) {
+  return std::abs(f.speed()) > standstill || std::abs(f.turn_rate()) > no_turning;
+}
+
+std::optional<double> answer_delay(const Facts& facts, const Anchor&) {
+  return facts.answer_delay() ? std::optional(seconds(*facts.answer_delay())) : std::nullopt;
+}
+
+void add_motion(std::vector<ConditionWord>& words) {
+  words.push_back({"chair", "still", "how the chair moves",
+                   Choice{{{"still", when([](const Facts& f) { return !is_moving(f); })},
+                           {"moving", when(is_moving)},
+                           {"moving forward", when([](const Facts& f) { return f.speed() > standstill; })},
+                           {"moving backward", when([](const Facts& f) { return f.speed() < -standstill; })},
+                           {"turning left", when([](const Facts& f) { return f.turn_rate() < -no_turning; })},
+                           {"turning right", when([](const Facts& f) { return f.turn_rate() > no_turning; })}}}});
+  words.push_back({"chair speed", "> 0.5m/s", "its speed over ground, forward or backward",
+                   gauge(Measure::speed, [](const Facts& f) { return std::abs(f.speed()); })});
+  words.push_back({"chair rolled", "< 30cm", "how far it is from where it was when the step began",
+                   Gauge{Measure::length, [](const Facts& f, const Anchor& since) {
+                           return std::optional(std::abs(f.position() - since.position));
+                         }}});
+  words.push_back({"motors", "stopped", "driving: a motor has voltage; steady: no motor got more than a moment ago",
+                   Choice{{{"driving", when([](const Facts& f) { return f.is_driven(); })},
+                           {"stopped", when([](const Facts& f) { return !f.is_driven(); })},
+                           {"not speeding up", when([](const Facts& f) { return !f.has_sped_up(); })}}}});
+  words.push_back({"duty", "<= 40%", "the larger share of the supply that a motor gets",
+                   gauge(Measure::share, [](const Facts& f) { return f.largest_duty(); })});
+  words.push_back(
+      {"brakes", "engaged", "the park brakes; 'mixed' while one is released and the other is not",
+       Choice{{{"engaged", when([](const Facts& f) { return !f.pins().left_brake_release && !f.pins().right_brake_release; })},
+               {"released", when([](const Facts& f) { return f.pins().left_brake_release && f.pins().right_brake_release; })},
+               {"mixed", when([](const Facts& f) { return f.pins().left_brake_release != f.pins().right_brake_release; })}}}});
+}
+
+void add_pins(std::vector<ConditionWord>& words) {
+  words.push_back({"power latch", "held", "the pin that keeps the supply on",
+                   either("held", "released", when([](const Facts& f) { return f.pins().power_latch; }))});
+  words.push_back({"powered", "yes", "the power module has its supply",
+                   yes_or_no(when([](const Facts& f) { return f.is_powered(); }))});
+  words.push_back({"bridge", "disabled", "the gate drivers of the motor bridges",
+                   either("enabled", "disabled", when([](const Facts& f) { return f.pins().bridge_enable; }))});
+  words.push_back({"motor relay", "open", "the contactor before the bridges",
+                   either("closed", "open", when([](const Facts& f) { return f.pins().motor_relay; }))});
+  words.push_back({"resets", "1", "resets of the power module since the step began, power-on not counted",
+                   Gauge{Measure::count, [](const Facts& f, const Anchor& since) {
+                           return std::optional<double>(f.resets() - since.resets);
+                         }}});
+}
+
+void add_talk(std::vector<ConditionWord>& words) {
+  words.push_back({"answered", "yes", "the remote's last complete turn got an answer",
+                   yes_or_no(when([](const Facts& f) { return f.was_answered(); }))});
+  words.push_back({"silent", "yes", "the power module has sent nothing since the step began",
+                   yes_or_no([](const Facts& f, const Anchor& since) {
+                     return !f.spoke_at() || *f.spoke_at() < since.at;
+                   })});
+  words.push_back({"answer delay", "< 100us", "from the end of the remote's turn to the answer's first edge",
+                   Gauge{Measure::time, answer_delay}});
+  words.push_back({"SPM sends", "settings",
+                   "a packet it has sent since the step began: general, power-up, settings, or bytes as \"05 83 F7\"",
+                   Utterance{}});
+}
+
+// Nothing yet means: neither yes nor no.
+std::optional<int> reported(const Facts& facts, const report::FieldRow& field) {
+  return facts.spm_general() ? std::optional(field.read(*facts.spm_general())) : std::nullopt;
+}
+
+Choice report_flag(const report::FieldRow& field) {
+  const auto says = [&field](int wanted) {
+    return [&field, wanted](const Facts& facts, const Anchor&) { return reported(facts, field) == wanted; };
+  };
+  return {{{"yes", says(1)}, {"no", says(0)}}};
+}
+
+Choice report_state(const report::FieldRow& field) {
+  Choice choice;
+  for (int state = 0; state < report::system_state_count; ++state) {
+    const auto is_it = [&field, state](const Facts& facts, const Anchor&) { return reported(facts, field) == state; };
+    choice.options.push_back({report::system_state_name(state), is_it});
+    choice.options.push_back({fmt::format("{:02X}", state), is_it});
+  }
+  return choice;
+}
+
+ConditionWord report_word(const report::FieldRow& field) {
+  const std::string meaning = "as the power module's last general packet says";
+  switch (field.style) {
+    case report::Style::flag:
+      return {field.name, "yes", meaning, report_flag(field)};
+    case report::Style::state:
+      return {field.name, "Shark cable fault", meaning + "; a name or its number", report_state(field)};
+    default:
+      return {field.name, "> 5", meaning, Gauge{Measure::count, [&field](const Facts& facts, const Anchor&) {
+                const auto value = reported(facts, field);
+                return value ? std::optional<double>(*value) : std::nullopt;
+              }}};
+  }
+}
+
+std::vector<ConditionWord> all_words() {
+  std::vector<ConditionWord> words;
+  add_motion(words);
+  add_pins(words);
+  add_talk(words);
+  for (const report::FieldRow& field : report::spm_general().fields) {
+    words.push_back(report_word(field));
+    if (words.back().word == "slowdown") {
+      words.push_back(words.back());
+      words.back().word = "limp";
+      words.back().meaning = "the same bit as 'slowdown', which LIMP sets (SB-01.1)";
+    }
+  }
+  return words;
+}
+
+}  // namespace
+
+const std::vector<ConditionWord>& condition_words() {
+  static const std::vector<ConditionWord> words = all_words();
+  return words;
+}
+
+}  // namespace simulation::scenario

@@ -1,0 +1,144 @@
+// `fault:`, what goes wrong on the wire.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "bus/shark/frame.hpp"
+#include "simulation/scenario/spelling.hpp"
+#include "simulation/scenario/step_words.hpp"
+
+namespace simulation::scenario {
+namespace {
+
+struct Victim {
+  const char* name;
+  Sender sender;
+  std::uint8_t start_nibble;
+};
+
+std::uint8_t nibble(bus::shark::Type type) {
+  return static_cast<std::uint8_t>(type);
+}
+
+const std::vector<Victim>& victims() {
+  using bus::shark::Type;
+  static const std::vector<Victim> rows{
+      {"SR general", Sender::sr, nibble(Type::sr_general)},
+      {"SR power-up", Sender::sr, nibble(Type::sr_power_up)},
+      {"SR TF", Sender::sr, bus::shark::transmit_finished},
+      {"SPM general", Sender::spm, nibble(Type::spm_general)},
+      {"SPM power-up", Sender::spm, nibble(Type::spm_power_up)},
+      {"SPM settings", Sender::spm, nibble(Type::spm_settings)},
+      {"SPM TF", Sender::spm, bus::shark::transmit_finished},
+  };
+  return rows;
+}
+
+std::optional<Disturb> read_disturbance(Disturb::Way way, const YAML::Node& value, Table& fault, Problems& problems) {
+  std::vector<std::string> names;
+  for (const Victim& victim : victims()) {
+    names.push_back(victim.name);
+  }
+  Disturb disturb;
+  disturb.way = way;
+  if (const auto count = fault.find("count")) {
+    disturb.count = read_integer(*count, 1, 1000000, problems).value_or(1);
+  }
+  const auto name = read_choice(value, names, problems);
+  if (!name) {
+    return std::nullopt;
+  }
+  const auto place = static_cast<std::size_t>(std::find(names.begin(), names.end(), *name) - names.begin());
+  disturb.sender = victims()[place].sender;
+  disturb.start_nibble = victims()[place].start_nibble;
+  return disturb;
+}
+
+std::optional<Action> cut(const YAML::Node& value, Table&, Problems& problems) {
+  if (value.IsMap() && value.size() > 0) {
+    problems.add(value, "cut cable takes nothing: write 'fault: cut cable'");
+  }
+  return CutCable{};
+}
+
+std::optional<Action> corrupt(const YAML::Node& value, Table& fault, Problems& problems) {
+  return read_disturbance(Disturb::Way::corrupt_checksum, value, fault, problems);
+}
+
+std::optional<Action> flip(const YAML::Node& value, Table& fault, Problems& problems) {
+  const auto byte = fault.need("byte");
+  const auto bit = fault.need("bit");
+  auto disturb = read_disturbance(Disturb::Way::flip_bit, value, fault, problems);
+  if (!disturb || !byte || !bit) {
+    return std::nullopt;
+  }
+  disturb->byte = read_integer(*byte, 0, 9, problems).value_or(0);
+  disturb->bit = read_integer(*bit, 0, 7, problems).value_or(0);
+  return disturb;
+}
+
+std::optional<Action> drop(const YAML::Node& value, Table& fault, Problems& problems) {
+  auto disturb = read_disturbance(Disturb::Way::drop, value, fault, problems);
+  const auto byte = fault.find("byte");
+  if (disturb && byte) {
+    disturb->byte = read_integer(*byte, 0, 9, problems).value_or(0);
+  }
+  return disturb;
+}
+
+std::optional<Action> babble(const YAML::Node& value, Table&, Problems& problems) {
+  Table map(value, "babble", problems);
+  const auto span = map.need("for");
+  map.done();
+  const auto time = span ? read_time(*span, problems) : std::nullopt;
+  return time ? std::optional<Action>(Babble{*time}) : std::nullopt;
+}
+
+}  // namespace
+
+const std::vector<FaultWord>& fault_words() {
+  static const std::vector<FaultWord> words{
+      {"cut cable", "fault: cut cable", "nothing passes between remote and power module until 'restore: cable'", cut},
+      {"corrupt checksum", "fault: {corrupt checksum: SR general, count: 3}",
+       "the checksums of the next packets of that kind are wrong", corrupt},
+      {"flip bit", "fault: {flip bit: SR general, byte: 4, bit: 3, count: 1}",
+       "one bit of one byte (0 = start byte) of the next packets of that kind", flip},
+      {"drop", "fault: {drop: SR TF, count: 1}", "one byte (byte: 0, if not said) of the next packets of that kind",
+       drop},
+      {"babble", "fault: {babble: {for: 200ms}}", "random characters back to back, from the scenario's seed; the step does not wait", babble},
+  };
+  return words;
+}
+
+std::optional<Action> parse_fault(const YAML::Node& node, Problems& problems) {
+  std::vector<std::string> known;
+  for (const FaultWord& row : fault_words()) {
+    known.push_back(row.word);
+  }
+  if (node.IsScalar()) {
+    if (node.Scalar() == "cut cable") {
+      return CutCable{};
+    }
+    problems.add(node, fmt::format("unknown fault '{}'{}", node.Scalar(), suggest(node.Scalar(), known)));
+    return std::nullopt;
+  }
+  const auto pairs = read_pairs(node, "fault", problems);
+  if (pairs.empty()) {
+    return std::nullopt;
+  }
+  const auto row = std::find_if(fault_words().begin(), fault_words().end(),
+                                [&](const FaultWord& word) { return word.word == pairs.front().key; });
+  if (row == fault_words().end()) {
+    problems.add(pairs.front().key_node, fmt::format("unknown fault '{}'{}", pairs.front().key,
+                                                     suggest(pairs.front().key, known)));
+    return std::nullopt;
+  }
+  Table fault(node, fmt::format("fault '{}'", row->word), problems);
+  fault.find(row->word);
+  auto action = row->parse(pairs.front().value, fault, problems);
+  fault.done();
+  return action;
+}
+
+}  // namespace simulation::scenario

@@ -1,0 +1,108 @@
+// A scenario as plain values: what was read from the file, before anything runs.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "simulation/bus_event.hpp"
+#include "simulation/models/remote.hpp"
+#include "simulation/scenario/condition.hpp"
+#include "simulation/scenario/problem.hpp"
+#include "simulation/time.hpp"
+
+namespace simulation::scenario {
+
+// `expect` without `within`.
+constexpr Time default_deadline = 100ms;
+
+struct Say {  // a heading of the story
+  std::string text;
+};
+struct Note {  // a remark in the log
+  std::string text;
+};
+struct Wait {
+  Time span{};
+};
+struct PressPower {
+  Time span{};
+};
+struct SetControls {
+  std::vector<std::function<void(RemoteControls&)>> changes;
+};
+struct SetRemote {
+  std::optional<bool> talks;
+  std::optional<Time> period;
+  std::vector<std::function<void(RemoteIdentity&)>> changes;
+};
+
+// Every step lasts as long as it says, whatever the power module does: `expect` its whole deadline, too. So
+// the time line of a scenario is the same on every machine.
+struct Expect {
+  std::vector<Condition> conditions;  // all at one moment
+  Time within = default_deadline;
+};
+struct Hold {
+  std::vector<Condition> conditions;
+  Time span{};
+};
+struct Never {
+  std::vector<Condition> conditions;  // all at one moment is what must not be
+};
+
+struct Send {  // bytes as they are; needs a silent remote
+  Sender as = Sender::sr;
+  std::vector<std::uint8_t> bytes;
+  Time every{};
+  std::optional<int> times;  // without: in the background, until the next `send` or `stop sending`
+};
+struct StopSending {};
+
+struct CutCable {};
+struct MendCable {};
+struct Disturb {  // of the next `count` packets of one kind
+  enum class Way { corrupt_checksum, flip_bit, drop };
+  Way way = Way::corrupt_checksum;
+  Sender sender = Sender::sr;
+  std::uint8_t start_nibble = 0;  // packet type; 0x0F is TF
+  int byte = 0;                   // in the packet, 0 = start byte
+  int bit = 0;
+  int count = 1;
+};
+struct Babble {  // random characters, back to back
+  Time span{};
+};
+
+struct Slope {
+  double degrees = 0;
+};
+struct Battery {
+  double volts = 0;
+};
+enum class Reset { watchdog, brown_out, external };
+
+using Action = std::variant<Say, Note, Wait, PressPower, SetControls, SetRemote, Expect, Hold, Never, Send, StopSending,
+                            CutCable, MendCable, Disturb, Babble, Slope, Battery, Reset>;
+
+struct Step {
+  Mark mark;
+  std::string text;  // "sr: {speed: 60%}", for people
+  Action action;
+};
+
+struct Scenario {
+  std::string file;  // as named on the command line
+  std::string name;
+  std::string about;
+  std::vector<std::string> spec;  // clause ids
+  std::vector<std::string> tags;
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> needs;  // boards that can judge it: avr, host; empty = all
+  std::vector<Step> steps;         // what `given` stands for comes first
+};
+
+}  // namespace simulation::scenario

@@ -1,0 +1,29 @@
+// What the event log can say. Numbers are stable: logs outlive firmware versions.
+#pragma once
+
+#include <stdint.h>
+
+namespace spm {
+
+enum class EventCode : uint8_t {
+  none = 0,
+  started = 1,             // argument: 0 power on, 1 unexpected reset (SB-3.9)
+  echo_differed = 2,       // SB-1.4
+  factory_test_heard = 3,  // SB-07.1; argument: command
+  remote_restarted = 4,    // SB-3.4
+  power_down_asked = 5,    // argument: 0 button, 1 sleep
+  powered_down = 6,        // argument: 0 confirmed, 1 remote gone
+  answer_too_late = 7,     // a turn was earned but the slot had passed
+  time_was_lost = 8,       // the loop stood still; argument: milliseconds, at most 255
+  corrupt_packets = 16,    // faults from here on: SB-2.14
+  general_missing = 17,    // SB-2.15
+  joystick_error = 18,     // SB-00.6
+  remote_fault = 19,       // SB-00.6
+  pot_error = 20,          // SB-00.6
+  remote_limps = 21,       // SB-00.6
+  out_of_neutral = 22,     // SB-01.8
+  battery_flat = 23,
+  internal_fault = 24,
+};
+
+}  // namespace spm

@@ -1,0 +1,30 @@
+// The power module's faults, most severe first (SB-01.9).
+#pragma once
+
+#include <stdint.h>
+
+#include "faults/manager.hpp"
+#include "faults/set.hpp"
+
+namespace spm {
+
+enum class Fault : uint8_t {
+  internal,          // our own state made no sense
+  unexpected_start,  // SB-3.9
+  corrupt_packets,   // SB-2.14
+  general_missing,   // SB-2.15
+  remote_restarted,  // SB-3.4
+  joystick_error,    // SB-00.6
+  remote_fault,      // SB-00.6
+  pot_error,         // SB-00.6
+  remote_limps,      // SB-00.6
+  battery_flat,
+  out_of_neutral,  // SB-01.8
+};
+constexpr uint8_t fault_count = 11;
+
+using FaultSet = faults::Set<Fault>;
+
+extern const faults::Row fault_rows[fault_count];
+
+}  // namespace spm

@@ -1,0 +1,28 @@
+// How full the battery looks: its voltage, slowly filtered, on the bus's scale of 0 to 18 (SB-01.1).
+#pragma once
+
+#include <stdint.h>
+
+#include "drivers/base/time.hpp"
+#include "drivers/base/units.hpp"
+#include "spm/settings.hpp"
+
+namespace spm {
+
+class FuelGauge {
+ public:
+  void start(base::Instant now) { started_ = last_ = now; }
+  // Once a millisecond; works every 100th.
+  void step(base::Millivolts battery, const Settings& settings, base::Instant now);
+
+  uint8_t value() const { return value_; }
+
+ private:
+  base::Instant started_;
+  base::Instant last_;
+  bool is_settled_ = false;
+  int32_t filtered_ = 0;  // millivolts, times 16; 0 = not yet begun
+  uint8_t value_ = 0;
+};
+
+}  // namespace spm

@@ -1,0 +1,42 @@
+// Everything the power module is told in one step, as values.
+#pragma once
+
+#include <stdint.h>
+
+#include "drivers/base/heard_byte.hpp"
+#include "drivers/base/span.hpp"
+#include "drivers/base/time.hpp"
+#include "drivers/base/units.hpp"
+
+namespace spm {
+
+// How the last start came about.
+enum class Start : uint8_t {
+  power_on,    // the normal case: somebody pressed the power button
+  unexpected,  // watchdog or brown-out while powered (SB-3.9)
+};
+
+// What the bus transmitter is doing.
+enum class Speaker : uint8_t { idle, armed, speaking };
+
+struct Inputs {
+  // Characters from the bus since the last step, oldest first, our own excluded.
+  base::Array<base::HeardByte, 4> heard = {};
+  uint8_t heard_count = 0;
+  base::Stamp stamp;  // the time of this step on the scale of the heard bytes
+  Speaker speaker = Speaker::idle;
+  bool echo_differed = false;  // SB-1.4, since the last step
+  bool wake = false;           // SBH above 12 V (SB-1.3)
+
+  base::Millivolts battery;
+  base::Milliamps left_current;  // forward positive
+  base::Milliamps right_current;
+  base::Milliamps brake_coils;  // both together
+  bool analog_ready = false;    // the readings above are real
+
+  bool dci_slowdown = false;
+  bool lighting_fitted = false;
+  Start start = Start::power_on;  // constant from reset on
+};
+
+}  // namespace spm

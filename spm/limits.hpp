@@ -1,0 +1,58 @@
+// The fixed numbers of the power module, each with its clause. What a user may change is in settings.hpp.
+#pragma once
+
+#include <stdint.h>
+
+#include "drivers/base/time.hpp"
+#include "drivers/base/units.hpp"
+#include "faults/link_supervisor.hpp"
+#include "spm/outputs.hpp"
+
+namespace spm {
+namespace limits {
+
+using namespace base;  // literals
+
+constexpr Millis cycle = 20_ms;  // SB-2.2
+
+// Link supervision
+constexpr faults::LinkSupervisor::Limits link{
+    3,         // SB-2.14: corrupt packets in a row
+    61250_us,  // SB-2.15: with the 500 us grain of a step this trips 61.25 to 61.8 ms after the last general
+    5,         // SB-2.16: generals in a row that re-establish communication
+};
+// SB-2.8: later than this the slot belongs to somebody else.
+constexpr Micros latest_after_finish = 1500_us;
+constexpr Micros latest_after_silence = 4500_us;  // SB-2.12
+
+// Neutral
+constexpr uint8_t neutral_proof = 5;  // SB-01.8: generals in a row
+
+// Power
+constexpr Millis shortest_press = 50_ms;           // SB-4.1
+constexpr uint8_t confirm_proof = 2;               // SB-4.3: generals in a row
+constexpr Millis lost_link_power_down = 5000_ms;   // SB-4.4
+constexpr Millis unconfirmed_power_down = 500_ms;  // SB-4.4
+
+// Brakes and motion
+constexpr Millis stopped_brake_delay =
+    100_ms;  // SB-2.17: brakes at most 250 ms after zero when something forbids to drive
+// The gate's own bounds, per millisecond, independent of every setting (SB-2.17, H-33).
+constexpr Demand least_fall = Demand(12);     // full speed to zero in 1366 ms
+constexpr Demand steepest_rise = Demand(66);  // zero to full speed in 248 ms
+constexpr Millis stale_general = 66_ms;  // SB-2.15 once more, for the gate: a general older than this is no command
+constexpr Demand limp_ceiling = Demand(8192);  // SB-2.16: no setting lets LIMP exceed half of full voltage
+
+// Reports
+constexpr uint8_t settings_every = 49;   // SB-0A.1: generals between two settings packets, as real modules do
+constexpr Millis gauge_settle = 500_ms;  // SB-01.1
+constexpr uint8_t gauge_full = 18;       // SB-01.1
+constexpr uint8_t speedo_full = 31;      // SB-01.7
+
+static_assert(link.silence.count() > 3 * 20000U, "SB-2.15: three cycles of 20 ms and a little more must fit");
+static_assert(settings_every * cycle.count() <= 1000, "SB-0A.1: at least once a second");
+static_assert(full_demand.count() / least_fall.count() <= 1500, "SB-2.17: zero within 1500 ms");
+static_assert(stopped_brake_delay <= 250_ms, "SB-2.17");
+
+}  // namespace limits
+}  // namespace spm

@@ -1,0 +1,40 @@
+#include "spm/motion.hpp"
+
+#include "spm/limits.hpp"
+
+namespace spm {
+
+void Motion::configure(const Settings& settings) {
+  profile_ = make_profile(settings);
+  brake_times_.release = base::Millis(settings[Setting::brake_release_time]);
+  brake_times_.engage = base::Millis(settings[Setting::brake_engage_time]);
+  brake_times_.stopped = limits::stopped_brake_delay;
+}
+
+void Motion::step(const Leave& leave, base::Instant now) {
+  if (are_targets_stale_ || leave.is_limping != was_limping_) {
+    targets_ = targets_of(stick_, profile_, leave.is_limping);
+    speedo_ = speedo_of(granted_, profile_);
+    are_targets_stale_ = false;
+    was_limping_ = leave.is_limping;
+  }
+
+  if (!park_brake_.allows_torque()) {
+    ramps_.clear();
+  } else if (leave.may_drive) {
+    ramps_.step(targets_, profile_);
+  } else {
+    ramps_.stop(profile_);  // SB-2.17
+  }
+
+  GateFacts facts;
+  facts.may_drive = leave.may_drive;
+  facts.allows_torque = park_brake_.allows_torque();
+  facts.is_limping = leave.is_limping;
+  facts.general_age = leave.general_age;
+  granted_ = gate_.pass(ramps_.demand(), facts);
+
+  park_brake_.step(brake_times_, leave.may_drive && !targets_.is_zero(), leave.may_drive, granted_.is_zero(), now);
+}
+
+}  // namespace spm

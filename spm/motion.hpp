@@ -1,0 +1,59 @@
+// Everything between a driver's stick and the wheels: targets, brakes, ramps, and the gate at the end.
+#pragma once
+
+#include <stdint.h>
+
+#include "drivers/base/time.hpp"
+#include "spm/drive.hpp"
+#include "spm/drive_gate.hpp"
+#include "spm/park_brake.hpp"
+#include "spm/settings.hpp"
+
+namespace spm {
+
+class Motion {
+ public:
+  // What the rest of the power module thinks of driving right now.
+  struct Leave {
+    bool may_drive = false;  // no inhibit of any kind
+    bool is_limping = true;
+    base::Millis general_age = base::Millis(UINT32_MAX);
+  };
+
+  // After a start and whenever settings change; the chair must be at rest.
+  void configure(const Settings& settings);
+
+  // A general's stick; counts from the next step on.
+  void command(const Stick& stick) {
+    stick_ = stick;
+    are_targets_stale_ = true;
+  }
+
+  // One millisecond.
+  void step(const Leave& leave, base::Instant now);
+
+  Wheels demand() const { return granted_; }
+  bool is_stick_at_rest() const { return is_at_rest(stick_, profile_); }
+  // Ready for torque: the bus calls it driving (SB-01.4).
+  bool is_driving() const { return park_brake_.allows_torque(); }
+  bool are_brakes_released() const { return park_brake_.is_released(); }
+  // As of the last general (SB-01.7).
+  uint8_t speedo() const { return speedo_; }
+  // The gate was once handed nonsense.
+  bool has_refused() const { return gate_.has_refused(); }
+
+ private:
+  DriveProfile profile_ = {};
+  ParkBrake::Times brake_times_ = {};
+  Stick stick_;
+  Wheels targets_;
+  bool are_targets_stale_ = true;
+  bool was_limping_ = false;
+  Ramps ramps_;
+  ParkBrake park_brake_;
+  DriveGate gate_;
+  Wheels granted_;
+  uint8_t speedo_ = 0;
+};
+
+}  // namespace spm

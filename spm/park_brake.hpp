@@ -1,0 +1,35 @@
+// When the park brakes are released and engaged, and so when there may be torque.
+//
+//   engaged --wants to drive--> releasing --release time--> released --at rest for the engage time--> engaged
+//
+// Invariants: torque only while released; engaged only while the demand is zero.
+#pragma once
+
+#include <stdint.h>
+
+#include "drivers/base/time.hpp"
+
+namespace spm {
+
+class ParkBrake {
+ public:
+  struct Times {
+    base::Millis release;  // coil on to torque
+    base::Millis engage;   // demand zero to coil off, driving allowed
+    base::Millis stopped;  // demand zero to coil off, driving forbidden (SB-2.17)
+  };
+
+  // Once a millisecond. `wants_motion`: some target is not zero; `is_demand_zero`: what the wheels get now.
+  void step(const Times& times, bool wants_motion, bool may_drive, bool is_demand_zero, base::Instant now);
+
+  bool is_released() const { return state_ != State::engaged; }  // the coils are on
+  bool allows_torque() const { return state_ == State::released; }
+
+ private:
+  enum class State : uint8_t { engaged, releasing, released };
+
+  State state_ = State::engaged;
+  base::Instant since_;  // releasing: coil on; released: the last moment the chair was not at rest
+};
+
+}  // namespace spm

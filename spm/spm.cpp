@@ -1,0 +1,302 @@
+#include "spm/spm.hpp"
+
+#include "drivers/base/flash.hpp"
+
+namespace spm {
+
+using namespace base;        // literals
+using namespace bus::shark;  // packets
+
+namespace {
+constexpr uint8_t longest_catch_up = 5;  // milliseconds done at once after the loop was held up
+}
+
+Outputs Spm::step(const Inputs& in, Instant now) {
+  if (!is_started_) {
+    start(in, now);
+  }
+  responder_.begin_step();
+  hear(in, now);
+  link_.poll(now, in.stamp);
+  if (has_news_ || link_.is_silent()) {
+    supervise(in, now);
+  }
+  // The bus goes first: a millisecond's work must not delay the answer.
+  if (!framer_.is_nearly_complete() && responder_.speech() == Speech::as_it_is) {
+    every_millisecond(in, now);
+  }
+  outputs_.speech = responder_.speech();
+  outputs_.turn = responder_.turn().bytes();
+  return outputs_;
+}
+
+void Spm::start(const Inputs& in, Instant now) {
+  is_started_ = true;
+  last_step_ = now;
+  motion_.configure(settings_);
+  power_.start(now);
+  fuel_gauge_.start(now);
+  record(EventCode::started, in.start == Start::unexpected, now);
+}
+
+// ---- hear: bytes to verdicts to packets
+
+void Spm::hear(const Inputs& in, Instant now) {
+  if (in.wake) {  // SB-1.3: what is heard now is neither a packet nor a corrupt one
+    framer_.reset();
+    responder_.hush();
+    return;
+  }
+  if (in.echo_differed) {  // SB-1.4
+    record(EventCode::echo_differed, 0, now);
+  }
+  if (in.heard_count == 0) {
+    take_verdict(framer_.poll(in.stamp), in, framer_.last_byte(), now);
+  }
+  for (uint8_t i = 0; i < in.heard_count; ++i) {
+    const HeardByte& byte = in.heard[i];
+    const Stamp before = framer_.last_byte();
+    const Verdict verdict = framer_.feed(byte);
+    take_verdict(verdict, in, verdict.silence ? before : byte.at, now);
+  }
+}
+
+void Spm::take_verdict(const Verdict& verdict, const Inputs& in, Stamp at, Instant now) {
+  for (uint8_t i = 0; i < verdict.corrupt; ++i) {
+    take_corrupt();
+  }
+  if (verdict.silence) {  // SB-2.12
+    end_turn(in, in.stamp - at, limits::latest_after_silence, now);
+  }
+  if (verdict.what == Verdict::What::frame) {
+    take_frame(framer_.frame(), in, at, now);
+  } else if (verdict.what == Verdict::What::finished) {
+    end_turn(in, in.stamp - at, limits::latest_after_finish, now);
+  }
+}
+
+void Spm::take_frame(const Frame& frame, const Inputs& in, Stamp at, Instant now) {
+  const Admission admission = admit(frame);
+  if (admission == Admission::corrupt) {  // SB-5.3
+    take_corrupt();
+    return;
+  }
+  link_.sound();  // SB-2.14: an unknown type too ends a run of corrupt packets
+  has_news_ = true;
+  if (admission == Admission::unknown) {
+    return;  // SB-5.1
+  }
+  switch (static_cast<Type>(frame.type)) {
+    case Type::sr_general:
+      take_general(frame, in, at, now);
+      break;
+    case Type::sr_power_up:
+      take_power_up(frame, in, now);
+      break;
+    case Type::factory_test:
+      record(EventCode::factory_test_heard, frame.data[0] & 0x0F, now);
+      break;  // SB-07.1
+    default:
+      break;
+  }
+}
+
+void Spm::take_corrupt() {
+  if (phase_ != Phase::silent) {  // SB-2.14: counted from the first valid SR power-up packet on
+    link_.corrupt();
+    has_news_ = true;
+  }
+}
+
+void Spm::take_power_up(const Frame& frame, const Inputs& in, Instant now) {
+  if (phase_ == Phase::running) {  // SB-3.4
+    link_.restarted();
+    has_restarted_ = true;
+    general_ = SrGeneral();
+  }
+  phase_ = Phase::greeting;
+  remote_ = decode_sr_power_up(frame);
+  power_.heard(now);
+  supervise(in, now);
+  answer_power_up();
+}
+
+void Spm::take_general(const Frame& frame, const Inputs& in, Stamp at, Instant now) {
+  if (phase_ == Phase::silent) {  // SB-3.1
+    return;
+  }
+  phase_ = Phase::running;  // SB-3.3
+  general_ = decode_sr_general(frame);
+  general_at_ = now;
+  motion_.command(Stick{general_.speed, general_.direction, general_.pot});
+
+  link_.message(now, at);
+  if (power_.is_bus_idle()) {
+    link_.rest();  // SB-2.15
+  }
+  const bool is_resting = motion_.is_stick_at_rest();
+  power_.heard(now);
+  power_.general(general_, !is_resting, Millis(settings_[Setting::sleep_timeout] * uint32_t{60000}), now);
+  mode_.request(general_.requested_mode, false);  // SB-3.7: no actuator is fitted in this version
+  if (mode_.has_changed()) {
+    neutral_.require(true);  // SB-00.7
+  }
+  neutral_.observe(is_resting);
+  supervise(in, now);
+  answer_general();
+}
+
+// ---- supervise: what is wrong, and what it forbids
+
+void Spm::supervise(const Inputs& in, Instant now) {
+  has_news_ = false;
+  const FaultSet begun = faults_.update(fault_rows, present_faults(in), link_.is_up(), now);
+  has_restarted_ = false;
+  if (!begun.empty()) {
+    for (uint8_t i = 0; i < fault_count; ++i) {
+      if (begun.has(static_cast<Fault>(i))) {
+        events_.record(from_flash(fault_rows[i]).event, 0, now);
+      }
+    }
+  }
+
+  inhibits_ = present_inhibits();
+  if (!inhibits_.empty()) {
+    const Inhibits unshown = Inhibits::of(Inhibit::remote_inhibit) | Inhibits::of(Inhibit::charger_inhibit) |
+                             Inhibits::of(Inhibit::powering_down);
+    neutral_.require(!inhibits_.without(unshown).empty());  // SB-01.8, H-02
+  }
+  inhibits_.put(Inhibit::awaiting_neutral, neutral_.is_awaited());
+}
+
+FaultSet Spm::present_faults(const Inputs& in) const {
+  FaultSet present;
+  present.put(Fault::internal, motion_.has_refused());
+  present.put(Fault::unexpected_start, in.start == Start::unexpected);
+  present.put(Fault::corrupt_packets, link_.has_corrupt_run());
+  present.put(Fault::general_missing, link_.is_silent());
+  present.put(Fault::remote_restarted, has_restarted_);
+  present.put(Fault::joystick_error, general_.joystick_error);
+  present.put(Fault::remote_fault, general_.local_fault);
+  present.put(Fault::pot_error, general_.pot_error);
+  present.put(Fault::remote_limps, general_.non_critical_fault);
+  present.put(Fault::battery_flat, in.analog_ready && in.battery < Millivolts(settings_[Setting::battery_cutoff]));
+  present.put(Fault::out_of_neutral, neutral_.is_violated());
+  return present;
+}
+
+Inhibits Spm::present_inhibits() const {
+  const faults::Summary& faults = faults_.summary();
+  Inhibits present;
+  present.put(Inhibit::no_general_yet, phase_ != Phase::running);
+  present.put(Inhibit::transient, faults.is_transient);
+  present.put(Inhibit::fault, faults.must_stop && !faults.is_transient);
+  present.put(Inhibit::remote_inhibit, general_.remote_inhibit);    // SB-00.4
+  present.put(Inhibit::charger_inhibit, general_.charger_inhibit);  // SB-00.5
+  present.put(Inhibit::calibration, general_.calibration_active);   // SB-01.10
+  present.put(Inhibit::invalid_mode, !mode_.is_drive());            // SB-00.7
+  present.put(Inhibit::powering_down, power_.forbids_driving());    // SB-4.1
+  return present;
+}
+
+// ---- say: the turn, and when it begins
+
+void Spm::answer_power_up() {
+  responder_.open().add(encode(SpmPowerUp()));  // SB-05.1: no lighting, no actuators in this version
+  responder_.close();
+  until_settings_ = 0;
+}
+
+void Spm::answer_general() {
+  Turn& turn = responder_.open();
+  turn.add(encode(report()));  // SB-2.7: general first
+  if (until_settings_ == 0) {  // SB-0A.1
+    turn.add(encode(reported_settings()));
+    until_settings_ = limits::settings_every;
+  }
+  --until_settings_;
+  responder_.close();
+}
+
+void Spm::end_turn(const Inputs& in, Micros age, Micros latest, Instant now) {
+  if (!responder_.finish(in.speaker == Speaker::speaking, age, latest)) {
+    record(EventCode::answer_too_late, 0, now);
+  }
+}
+
+SpmGeneral Spm::report() const {
+  const faults::Summary& faults = faults_.summary();
+  SpmGeneral general;
+  general.slowdown = faults.is_limping;  // SB-01.1
+  general.fuel_gauge = fuel_gauge_.value();
+  general.drive_inhibited = !inhibits_.empty();
+  general.power_down_now = power_.is_down_asked();
+  general.system_state = static_cast<SystemState>(faults.system_state);
+  general.lock_mode_enabled = settings_[Setting::lock_mode_enable] != 0;
+  general.sr_drive_modified = neutral_.is_shown();  // SB-01.8
+  general.sleep_requested = power_.is_sleep_asked();
+  general.sound_horn = general_.horn;
+  general.system_driving = motion_.is_driving();
+  general.sr_mode_invalid = mode_.is_invalid();
+  general.operating_mode = mode_.mode();
+  general.speedo = motion_.speedo();
+  return general;
+}
+
+SpmSettings Spm::reported_settings() const {
+  SpmSettings reported;
+  reported.speedo_option = settings_[Setting::speedo_option] != 0;
+  reported.click_on_keypress = settings_[Setting::click_on_keypress] != 0;
+  reported.speed_button_sensitivity = narrow<uint8_t>(settings_[Setting::speed_button_sensitivity]);
+  reported.joystick_switch_threshold = narrow<uint8_t>(settings_[Setting::joystick_switch_threshold]);
+  return reported;
+}
+
+// ---- act: motors, brakes, supply, once a millisecond
+
+void Spm::every_millisecond(const Inputs& in, Instant now) {
+  const Millis late = now - last_step_;
+  if (late == 0_ms) {
+    return;
+  }
+  supervise(in, now);
+  if (late > Millis(longest_catch_up)) {
+    record(EventCode::time_was_lost, narrow<uint8_t>(late > 255_ms ? 255U : late.count()), now);
+    last_step_ = now + Millis(0U - uint32_t{longest_catch_up});
+  }
+  Motion::Leave leave;
+  leave.may_drive = inhibits_.empty();
+  leave.is_limping = faults_.summary().is_limping;
+  leave.general_age = now - general_at_;
+  while (last_step_ != now) {
+    last_step_ = last_step_ + 1_ms;
+    motion_.step(leave, last_step_);
+  }
+  outputs_.left = motion_.demand().left;
+  outputs_.right = motion_.demand().right;
+  outputs_.left_brake = outputs_.right_brake = motion_.are_brakes_released() ? Brake::released : Brake::engaged;
+  outputs_.bridge_enabled = motion_.are_brakes_released();
+  outputs_.relay_closed = motion_.are_brakes_released() || leave.may_drive;
+
+  fuel_gauge_.step(in.battery, settings_, now);
+  led_.step(faults_.summary().system_state, now);
+  outputs_.status_led = led_.is_on();
+  manage_power(in, now);
+}
+
+void Spm::manage_power(const Inputs& in, Instant now) {
+  const bool was_off = power_.is_off();
+  const bool is_safe = !motion_.are_brakes_released();
+  power_.step(is_safe, now);
+  outputs_.latch = power_.latch();
+  if (power_.is_off() && !was_off) {
+    record(EventCode::powered_down, power_.is_remote_gone(), now);
+  }
+  if (power_.is_off() && in.wake && !was_wake_) {
+    *this = Spm(settings_);  // woken again before the supply had died: begin anew
+    return;
+  }
+  was_wake_ = in.wake;
+}
+
+}  // namespace spm

@@ -1,0 +1,113 @@
+// The power module: one object, one step. Everything it is told comes in Inputs, everything it does leaves in
+// Outputs; the order of work is step(), top to bottom.
+#pragma once
+
+#include <stdint.h>
+
+#include "bus/shark/codec.hpp"
+#include "bus/shark/framer.hpp"
+#include "bus/shark/packets.hpp"
+#include "bus/shark/responder.hpp"
+#include "faults/event.hpp"
+#include "faults/link_supervisor.hpp"
+#include "faults/manager.hpp"
+#include "spm/events.hpp"
+#include "spm/fault_rules.hpp"
+#include "spm/fuel_gauge.hpp"
+#include "spm/inhibit.hpp"
+#include "spm/inputs.hpp"
+#include "spm/limits.hpp"
+#include "spm/motion.hpp"
+#include "spm/neutral.hpp"
+#include "spm/operating_mode.hpp"
+#include "spm/outputs.hpp"
+#include "spm/power.hpp"
+#include "spm/settings.hpp"
+#include "spm/status_led.hpp"
+
+namespace spm {
+
+// Where the power-up handshake stands (section 3).
+enum class Phase : uint8_t {
+  silent,    // no SR power-up packet heard since reset (SB-3.1)
+  greeting,  // SR power-up packets are answered with ours (SB-3.2)
+  running,   // generals are answered with generals (SB-3.3)
+};
+
+class Spm {
+ public:
+  constexpr explicit Spm(const Settings& settings = Settings())
+      : settings_(settings), link_(limits::link), neutral_(limits::neutral_proof) {}
+
+  // Everything that happens in the power module, once for each event: at every heard byte, every 500 us and every
+  // millisecond. `now` never goes back. The work of a millisecond is done once, by the first step that sees it.
+  Outputs step(const Inputs& in, base::Instant now);
+
+  // For the console, the log and tests.
+  Phase phase() const { return phase_; }
+  Inhibits inhibits() const { return inhibits_; }
+  const faults::Summary& faults() const { return faults_.summary(); }
+  FaultSet active_faults() const { return faults_.active(); }
+  const faults::EventRing& events() const { return events_; }
+  const bus::shark::SrPowerUp& remote() const { return remote_; }
+  const Settings& settings() const { return settings_; }
+
+ private:
+  void start(const Inputs& in, base::Instant now);
+
+  void hear(const Inputs& in, base::Instant now);
+  void take_verdict(const bus::shark::Verdict& verdict, const Inputs& in, base::Stamp at, base::Instant now);
+  void take_frame(const bus::shark::Frame& frame, const Inputs& in, base::Stamp at, base::Instant now);
+  void take_power_up(const bus::shark::Frame& frame, const Inputs& in, base::Instant now);
+  void take_general(const bus::shark::Frame& frame, const Inputs& in, base::Stamp at, base::Instant now);
+  void take_corrupt();
+
+  void supervise(const Inputs& in, base::Instant now);
+  FaultSet present_faults(const Inputs& in) const;
+  Inhibits present_inhibits() const;
+
+  void answer_general();
+  void answer_power_up();
+  bus::shark::SpmGeneral report() const;
+  bus::shark::SpmSettings reported_settings() const;
+  void end_turn(const Inputs& in, base::Micros age, base::Micros latest, base::Instant now);
+
+  void every_millisecond(const Inputs& in, base::Instant now);
+  void manage_power(const Inputs& in, base::Instant now);
+
+  void record(EventCode code, uint8_t argument, base::Instant now) {
+    events_.record(static_cast<uint8_t>(code), argument, now);
+  }
+
+  Settings settings_;
+
+  bus::shark::Framer framer_;
+  bus::shark::Responder responder_;
+
+  Phase phase_ = Phase::silent;
+  faults::LinkSupervisor link_;
+  bus::shark::SrPowerUp remote_;
+  bus::shark::SrGeneral general_;
+  base::Instant general_at_;
+  bool has_news_ = false;       // something was heard that the fault rows have not seen
+  bool has_restarted_ = false;  // SB-3.4, until the fault rows have seen it
+  OperatingMode mode_;
+  Neutral neutral_;
+  uint8_t until_settings_ = 0;  // generals until the next settings packet
+
+  faults::Manager<Fault, fault_count> faults_;
+  Inhibits inhibits_;
+  faults::EventRing events_;
+
+  Motion motion_;
+  Power power_;
+  FuelGauge fuel_gauge_;
+  StatusLed led_;
+
+  bool is_started_ = false;
+  bool was_wake_ = true;
+  base::Instant last_step_;
+  Outputs outputs_;
+};
+
+}  // namespace spm
