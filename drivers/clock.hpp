@@ -7,7 +7,7 @@
 namespace drivers {
 namespace clock {
 
-// Starts both. Also wakes the loop every 500 us, the grain of the bus's 3 ms rule (SB-2.11).
+// Starts both. Wakes the loop every 500 us, the grain of the bus's 60 ms rule (SB-2.15).
 void start();
 
 base::Instant now();

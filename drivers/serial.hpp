@@ -15,13 +15,15 @@ namespace serial {
 // Configures the UART and begins to listen. Call once, interrupts still off.
 void start();
 
+// Wakes the loop 3 ms after the end of a character that nothing has followed (SB-2.11).
+
 // The oldest character that was heard and not yet taken; false if there is none. Characters lost because
 // nobody took them mark the next one as spoiled.
 bool take(base::HeardByte& byte);
 
 // Speaks `turn` as soon as a clean `terminator` has ended on the line: the first start bit follows the
-// terminator's last stop bit by less than 100 us, whatever the loop is doing. The bytes are copied.
-// Replaces a turn that still waits; ignored while speaking.
+// terminator's last stop bit by less than 100 us, whatever the loop is doing; if the terminator has just been heard
+// and nothing since, at once. The bytes are copied. Replaces a turn that still waits; ignored while speaking.
 void arm(uint8_t terminator, base::Span<const uint8_t> turn);
 
 // Speaks `turn` now, or not at all if already speaking. For the rare cases without a terminator (SB-2.12).

@@ -18,7 +18,6 @@ struct Switched {
 };
 
 struct Sensed {
-  bool wake = false;             // SBH above 12 V
   bool dci_slowdown = false;     // seat or lift asks for slow
   bool lighting_fitted = false;  // option strap
 };
@@ -27,6 +26,7 @@ void start();
 // Never energises extend and retract of one actuator together, whatever is asked.
 void apply(const Switched& outputs);
 Sensed sense();
+bool is_awake();  // SBH above 12 V
 
 }  // namespace signals
 }  // namespace drivers

@@ -47,6 +47,9 @@ class Manager {
     return begun_;
   }
 
+  // Whether update() would find a condition that was not there before.
+  bool are_new(Set<Fault> present) const { return !present.without(present_).empty(); }
+
   const Summary& summary() const { return summary_; }
   // Conditions that hold and have outlasted their debounce.
   Set<Fault> active() const { return counted_; }
@@ -58,16 +61,22 @@ class Manager {
   void walk(const Row (&rows)[row_count], Set<Fault> present, bool is_link_up, base::Instant now) {
     Summary sum;
     is_pending_ = false;
+    // The other rows neither do anything nor begin to.
+    Set<Fault> concerned = present | counted_ | stopping_ | limping_;
     Set<Fault> fault = Set<Fault>::first();
-    for (uint8_t i = 0; i < row_count; ++i) {
-      const Row row = base::from_flash(rows[i]);
+    for (uint8_t i = 0; i < row_count && !concerned.empty(); ++i, fault = fault.next()) {
+      if (!concerned.has(fault)) {
+        continue;
+      }
+      concerned = concerned.without(fault);
+      const Row& row = rows[i];  // in flash: each column is fetched where it is needed
       const bool counts = present.has(fault) && outlasts_debounce(row, fault, now);
       begun_.put(fault, counts && !counted_.has(fault));
       counted_.put(fault, counts);
-      stopping_.put(fault, keeps_stopping(row.stops, counts, stopping_.has(fault), is_link_up));
-      limping_.put(fault, keeps_limping(row.limps, counts, limping_.has(fault)));
-      add_up(row, fault, sum);
-      fault = fault.next();
+      const Stops stops = base::from_flash(row.stops);
+      stopping_.put(fault, keeps_stopping(stops, counts, stopping_.has(fault), is_link_up));
+      limping_.put(fault, keeps_limping(base::from_flash(row.limps), counts, limping_.has(fault)));
+      add_up(row, stops, fault, sum);
     }
     present_ = present;
     was_link_up_ = is_link_up;
@@ -76,13 +85,15 @@ class Manager {
 
   // For a condition that is present.
   bool outlasts_debounce(const Row& row, Set<Fault> fault, base::Instant now) {
-    if (row.debounce_ms == 0 || counted_.has(fault)) {
+    if (counted_.has(fault)) {
       return true;
     }
+    const base::Millis debounce(base::from_flash(row.debounce_ms));
+    base::Instant& since = since_[base::from_flash(row.fault)];
     if (!present_.has(fault)) {
-      since_[row.fault] = now;
+      since = now;
     }
-    if (now - since_[row.fault] >= base::Millis(row.debounce_ms)) {
+    if (now - since >= debounce) {
       return true;
     }
     is_pending_ = true;
@@ -115,14 +126,14 @@ class Manager {
     return true;
   }
 
-  void add_up(const Row& row, Set<Fault> fault, Summary& sum) const {
-    const bool stops = stopping_.has(fault);
-    const bool limps = limping_.has(fault);
-    sum.must_stop = sum.must_stop || stops;
-    sum.is_transient = sum.is_transient || (stops && row.stops == Stops::until_link);
-    sum.is_limping = sum.is_limping || limps;
-    if (sum.system_state == 0 && (stops || limps || counted_.has(fault))) {  // SB-01.9
-      sum.system_state = row.system_state;
+  void add_up(const Row& row, Stops stops, Set<Fault> fault, Summary& sum) const {
+    const bool is_stopping = stopping_.has(fault);
+    const bool is_limping = limping_.has(fault);
+    sum.must_stop = sum.must_stop || is_stopping;
+    sum.is_transient = sum.is_transient || (is_stopping && stops == Stops::until_link);
+    sum.is_limping = sum.is_limping || is_limping;
+    if (sum.system_state == 0 && (is_stopping || is_limping || counted_.has(fault))) {  // SB-01.9
+      sum.system_state = base::from_flash(row.system_state);
     }
   }
 

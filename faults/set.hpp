@@ -1,4 +1,5 @@
-// A set of the values of one enum, as bits. The enum's values count up from 0 and stay below 16.
+// A set of the values of one enum, as bits. The enum's values count up from 0 and stay below 16. Questions about one
+// item are always inlined: with the item known they are a bit operation, where an AVR would otherwise shift in a loop.
 #pragma once
 
 #include <stdint.h>
@@ -12,12 +13,12 @@ class Set {
 
   constexpr Set() : bits_(0) {}
 
-  static constexpr Set of(Item item) { return Set(static_cast<Bits>(Bits{1} << static_cast<uint8_t>(item))); }
+  __attribute__((always_inline)) static constexpr Set of(Item item) { return Set(static_cast<Bits>(Bits{1} << static_cast<uint8_t>(item))); }
   // Walking all items in order, without a shift by a variable: first(), then next() of each.
   static constexpr Set first() { return Set(1); }
   constexpr Set next() const { return Set(static_cast<Bits>(bits_ << 1)); }
 
-  constexpr bool has(Item item) const { return has(of(item)); }
+  __attribute__((always_inline)) constexpr bool has(Item item) const { return has(of(item)); }
   constexpr bool has(Set some) const { return (bits_ & some.bits_) != 0; }
   constexpr bool empty() const { return bits_ == 0; }
   constexpr bool operator==(Set other) const { return bits_ == other.bits_; }
@@ -27,8 +28,8 @@ class Set {
   constexpr Set operator&(Set other) const { return Set(static_cast<Bits>(bits_ & other.bits_)); }
   constexpr Set without(Set other) const { return Set(static_cast<Bits>(bits_ & ~other.bits_)); }
 
-  void put(Item item, bool is_in) { put(of(item), is_in); }
-  void put(Set some, bool is_in) { bits_ = static_cast<Bits>(is_in ? (bits_ | some.bits_) : (bits_ & ~some.bits_)); }
+  __attribute__((always_inline)) void put(Item item, bool is_in) { put(of(item), is_in); }
+  __attribute__((always_inline)) void put(Set some, bool is_in) { bits_ = static_cast<Bits>(is_in ? (bits_ | some.bits_) : (bits_ & ~some.bits_)); }
   void add(Item item) { put(item, true); }
 
   constexpr Bits bits() const { return bits_; }

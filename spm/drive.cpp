@@ -4,6 +4,7 @@
 
 namespace spm {
 
+using base::magnitude;
 using bus::shark::JoystickReading;
 
 namespace {
@@ -21,12 +22,17 @@ int32_t rate_of(uint16_t permille_per_second) {
   return rate > 0 ? rate : 1;
 }
 
+// Shifts on magnitudes, here and below: they round towards zero like a division, which the AVR would do bit by bit.
 constexpr int16_t times(int16_t share, int16_t other) {
-  return static_cast<int16_t>((static_cast<int32_t>(share) * other) / full);
+  const uint32_t product =
+      static_cast<uint32_t>(static_cast<uint16_t>(magnitude(share))) * static_cast<uint16_t>(magnitude(other));
+  const int16_t scaled = static_cast<int16_t>((product << 2) >> 16);
+  return static_cast<int16_t>((share < 0) != (other < 0) ? -scaled : scaled);
 }
+static_assert(full == int32_t{1} << 14, "a share of 2^14, times 4, stands in the upper half");
 
-constexpr int16_t magnitude(int16_t value) {
-  return static_cast<int16_t>(value < 0 ? -value : value);
+constexpr int16_t without_ramp_bits(int32_t value) {
+  return static_cast<int16_t>(value < 0 ? -(-value >> ramp_bits) : value >> ramp_bits);
 }
 
 int16_t off_neutral(JoystickReading reading) {
@@ -97,7 +103,7 @@ DriveProfile make_profile(const Settings& settings) {
   profile.forward_maximum = share_of(settings[Setting::forward_maximum]);
   profile.reverse_maximum = share_of(settings[Setting::reverse_maximum]);
   profile.turn_maximum = share_of(settings[Setting::turn_maximum]);
-  profile.limp_maximum = share_of(settings[Setting::limp_maximum]);
+  profile.limp_maximum = times(share_of(settings[Setting::limp_maximum]), profile.forward_maximum);  // SB-2.16
   profile.speedo_gain = static_cast<uint16_t>((static_cast<uint32_t>(limits::speedo_full) << 17) /
                                               static_cast<uint16_t>(profile.forward_maximum));
   profile.acceleration = rate_of(settings[Setting::acceleration]);
@@ -122,8 +128,9 @@ Wheels targets_of(const Stick& stick, const DriveProfile& profile, bool is_limpi
 }
 
 uint8_t speedo_of(const Wheels& demand, const DriveProfile& profile) {
-  const int16_t middle = static_cast<int16_t>((static_cast<int32_t>(demand.left.count()) + demand.right.count()) / 2);
-  const uint32_t shown = (static_cast<uint32_t>(magnitude(middle)) * profile.speedo_gain + (uint32_t{1} << 16)) >> 17;
+  const int32_t both = static_cast<int32_t>(demand.left.count()) + demand.right.count();
+  const uint16_t middle = static_cast<uint16_t>((both < 0 ? -both : both) >> 1);
+  const uint32_t shown = (static_cast<uint32_t>(middle) * profile.speedo_gain + (uint32_t{1} << 16)) >> 17;
   return shown > limits::speedo_full ? limits::speedo_full : static_cast<uint8_t>(shown);
 }
 
@@ -141,8 +148,7 @@ void Ramps::stop(const DriveProfile& profile) {
 }
 
 Wheels Ramps::demand() const {
-  return Wheels{Demand(static_cast<int16_t>(left_ / (1 << ramp_bits))),
-                Demand(static_cast<int16_t>(right_ / (1 << ramp_bits)))};
+  return Wheels{Demand(without_ramp_bits(left_)), Demand(without_ramp_bits(right_))};
 }
 
 }  // namespace spm

@@ -4,14 +4,13 @@
 
 namespace spm {
 
+using base::magnitude;
+
 namespace {
 
 // Magnitudes fit in 15 bits: a demand never exceeds +-16384, and anything that claims to is no demand at all.
 constexpr bool is_sane(int16_t value) {
   return value >= -full_demand.count() && value <= full_demand.count();
-}
-constexpr int16_t magnitude(int16_t value) {
-  return static_cast<int16_t>(value < 0 ? -value : value);
 }
 constexpr bool same_side(int16_t value, int16_t other) {
   return (value >= 0) == (other >= 0);

@@ -24,6 +24,7 @@ enum class EventCode : uint8_t {
   out_of_neutral = 22,     // SB-01.8
   battery_flat = 23,
   internal_fault = 24,
+  settings_lost = 25,  // H-20
 };
 
 }  // namespace spm

@@ -25,6 +25,7 @@ extern constexpr Row fault_rows[fault_count] IN_FLASH = {
     //  condition               for ms  stops                    limps                    shows                event
     row(Fault::internal,             0, Stops::until_power_down, Limps::until_power_down, State::power_module, EventCode::internal_fault),
     row(Fault::unexpected_start,     0, Stops::no,               Limps::until_power_down, State::power_module, EventCode::none),             // SB-3.9
+    row(Fault::settings_lost,        0, Stops::no,               Limps::until_power_down, State::power_module, EventCode::settings_lost),    // H-20
     row(Fault::corrupt_packets,      0, Stops::until_link,       Limps::until_power_down, State::cable,        EventCode::corrupt_packets),  // SB-2.14
     row(Fault::general_missing,      0, Stops::until_link,       Limps::until_power_down, State::cable,        EventCode::general_missing),  // SB-2.15
     row(Fault::remote_restarted,     0, Stops::until_link,       Limps::until_power_down, State::cable,        EventCode::remote_restarted), // SB-3.4

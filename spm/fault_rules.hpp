@@ -11,6 +11,7 @@ namespace spm {
 enum class Fault : uint8_t {
   internal,          // our own state made no sense
   unexpected_start,  // SB-3.9
+  settings_lost,     // H-20
   corrupt_packets,   // SB-2.14
   general_missing,   // SB-2.15
   remote_restarted,  // SB-3.4
@@ -21,7 +22,7 @@ enum class Fault : uint8_t {
   battery_flat,
   out_of_neutral,  // SB-01.8
 };
-constexpr uint8_t fault_count = 11;
+constexpr uint8_t fault_count = 12;
 
 using FaultSet = faults::Set<Fault>;
 

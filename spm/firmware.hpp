@@ -1,6 +1,7 @@
 // The program, whichever machine it runs on: sense, step, apply, feed.
 #pragma once
 
+#include "drivers/base/time.hpp"
 #include "spm/board.hpp"
 #include "spm/spm.hpp"
 
@@ -8,7 +9,7 @@ namespace spm {
 
 class Firmware {
  public:
-  // Once after reset, interrupts off. The power latch must already be held.
+  // Once after reset, interrupts off. The power latch must already be held (SB-1.2).
   void start();
 
   // One turn of the loop. Nothing lives across turns but the members.
@@ -19,6 +20,7 @@ class Firmware {
  private:
   Board board_;
   Spm spm_;
+  base::Instant last_;
 };
 
 }  // namespace spm

@@ -10,7 +10,7 @@ void FuelGauge::step(Millivolts battery, const Settings& settings, Instant now) 
   if (now - last_ < 100_ms) {
     return;
   }
-  last_ = now;
+  last_ = last_ + 100_ms;
   const int32_t measured = static_cast<int32_t>(battery.count()) * 16;
   filtered_ = filtered_ == 0 ? measured : filtered_ + (measured - filtered_) / 32;
   is_settled_ = is_settled_ || now - started_ >= limits::gauge_settle;

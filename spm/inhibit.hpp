@@ -9,7 +9,7 @@ namespace spm {
 
 enum class Inhibit : uint8_t {
   no_general_yet,    // SB-3.1: nothing moves before the power-up phase has ended
-  transient,         // SB-2.14 to SB-2.17: communication was lost
+  transient,         // SB-2.14 to SB-2.17: communication was lost, or the stop for it is not yet over
   fault,             // a fault that stops the chair: see the fault set
   remote_inhibit,    // SB-00.4
   charger_inhibit,   // SB-00.5

@@ -37,6 +37,7 @@ struct Inputs {
   bool dci_slowdown = false;
   bool lighting_fitted = false;
   Start start = Start::power_on;  // constant from reset on
+  bool settings_lost = false;     // stored settings could not be read; constant from reset on
 };
 
 }  // namespace spm

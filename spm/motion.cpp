@@ -33,6 +33,9 @@ void Motion::step(const Leave& leave, base::Instant now) {
   facts.is_limping = leave.is_limping;
   facts.general_age = leave.general_age;
   granted_ = gate_.pass(ramps_.demand(), facts);
+  if (granted_.is_zero()) {
+    speedo_ = 0;
+  }
 
   park_brake_.step(brake_times_, leave.may_drive && !targets_.is_zero(), leave.may_drive, granted_.is_zero(), now);
 }

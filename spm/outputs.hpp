@@ -20,6 +20,9 @@ enum class Latch : uint8_t { as_it_is, hold, release };
 using bus::shark::Speech;
 
 struct Outputs {
+  // All but `speech` and `turn` repeats the step before: the pins need not be written again.
+  bool are_pins_as_before = false;
+
   Demand left;
   Demand right;
   bool bridge_enabled = false;

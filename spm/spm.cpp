@@ -9,20 +9,24 @@ using namespace bus::shark;  // packets
 
 namespace {
 constexpr uint8_t longest_catch_up = 5;  // milliseconds done at once after the loop was held up
-}
+constexpr Millis longest_wait = 2_ms;    // for the bus, before a millisecond's work is done all the same
+}  // namespace
 
-Outputs Spm::step(const Inputs& in, Instant now) {
+const Outputs& Spm::step(const Inputs& in, Instant now) {
   if (!is_started_) {
     start(in, now);
   }
   responder_.begin_step();
   hear(in, now);
   link_.poll(now, in.stamp);
-  if (has_news_ || link_.is_silent()) {
+  if ((has_news_ || link_.is_silent()) && responder_.speech() == Speech::as_it_is) {
     supervise(in, now);
   }
-  // The bus goes first: a millisecond's work must not delay the answer.
-  if (!framer_.is_nearly_complete() && responder_.speech() == Speech::as_it_is) {
+  // The bus goes first: a millisecond's work must not delay the answer. But no bus puts it off for long (H-23).
+  const Millis late = now - last_step_;
+  const bool is_bus_first = framer_.is_nearly_complete() || responder_.has_answer();
+  outputs_.are_pins_as_before = late == 0_ms || (is_bus_first && late <= longest_wait);
+  if (!outputs_.are_pins_as_before) {
     every_millisecond(in, now);
   }
   outputs_.speech = responder_.speech();
@@ -65,8 +69,8 @@ void Spm::take_verdict(const Verdict& verdict, const Inputs& in, Stamp at, Insta
   for (uint8_t i = 0; i < verdict.corrupt; ++i) {
     take_corrupt();
   }
-  if (verdict.silence) {  // SB-2.12
-    end_turn(in, in.stamp - at, limits::latest_after_silence, now);
+  if (verdict.silence) {  // SB-2.12; if it took a byte to notice, somebody else has begun to speak
+    end_turn(in, in.stamp - at, in.heard_count == 0 ? limits::latest_after_silence : 0_us, now);
   }
   if (verdict.what == Verdict::What::frame) {
     take_frame(framer_.frame(), in, at, now);
@@ -81,6 +85,9 @@ void Spm::take_frame(const Frame& frame, const Inputs& in, Stamp at, Instant now
     take_corrupt();
     return;
   }
+  if (link_.has_corrupt_run()) {  // SB-2.14: it counts, even if this very step ends it
+    supervise(in, now);
+  }
   link_.sound();  // SB-2.14: an unknown type too ends a run of corrupt packets
   has_news_ = true;
   if (admission == Admission::unknown) {
@@ -92,6 +99,11 @@ void Spm::take_frame(const Frame& frame, const Inputs& in, Stamp at, Instant now
       break;
     case Type::sr_power_up:
       take_power_up(frame, in, now);
+      break;
+    case Type::sr_hhp_data:
+      if (phase_ == Phase::running) {  // SB-4.4: in the power-up phase only a power-up packet counts
+        power_.heard(now);
+      }
       break;
     case Type::factory_test:
       record(EventCode::factory_test_heard, frame.data[0] & 0x0F, now);
@@ -127,28 +139,39 @@ void Spm::take_general(const Frame& frame, const Inputs& in, Stamp at, Instant n
   }
   phase_ = Phase::running;  // SB-3.3
   general_ = decode_sr_general(frame);
+  const Millis period = now - general_at_;
   general_at_ = now;
-  motion_.command(Stick{general_.speed, general_.direction, general_.pot});
+  const PotReading pot = general_.pot_error ? limits::pot_in_error : general_.pot;  // SB-00.6
+  motion_.command(Stick{general_.speed, general_.direction, pot});
 
   link_.message(now, at);
-  if (power_.is_bus_idle()) {
-    link_.rest();  // SB-2.15
-  }
   const bool is_resting = motion_.is_stick_at_rest();
   power_.heard(now);
   power_.general(general_, !is_resting, Millis(settings_[Setting::sleep_timeout] * uint32_t{60000}), now);
+  if (power_.is_bus_idle()) {
+    link_.rest();  // SB-2.15
+  }
   mode_.request(general_.requested_mode, false);  // SB-3.7: no actuator is fitted in this version
   if (mode_.has_changed()) {
     neutral_.require(true);  // SB-00.7
   }
   neutral_.observe(is_resting);
-  supervise(in, now);
-  answer_general();
+  // The answer is due: faults that begin count at once, those that end may wait a millisecond.
+  if (faults_.are_new(present_faults(in))) {
+    look_for_faults(in, now);
+  }
+  weigh_inhibits();
+  answer_general(period, now);
 }
 
 // ---- supervise: what is wrong, and what it forbids
 
 void Spm::supervise(const Inputs& in, Instant now) {
+  look_for_faults(in, now);
+  weigh_inhibits();
+}
+
+void Spm::look_for_faults(const Inputs& in, Instant now) {
   has_news_ = false;
   const FaultSet begun = faults_.update(fault_rows, present_faults(in), link_.is_up(), now);
   has_restarted_ = false;
@@ -159,7 +182,11 @@ void Spm::supervise(const Inputs& in, Instant now) {
       }
     }
   }
+}
 
+void Spm::weigh_inhibits() {
+  // SB-2.17: an emergency stop runs to its end, brakes engaged, however soon the link is back.
+  is_stopping_ = faults_.summary().is_transient || (is_stopping_ && motion_.are_brakes_released());
   inhibits_ = present_inhibits();
   if (!inhibits_.empty()) {
     const Inhibits unshown = Inhibits::of(Inhibit::remote_inhibit) | Inhibits::of(Inhibit::charger_inhibit) |
@@ -173,6 +200,7 @@ FaultSet Spm::present_faults(const Inputs& in) const {
   FaultSet present;
   present.put(Fault::internal, motion_.has_refused());
   present.put(Fault::unexpected_start, in.start == Start::unexpected);
+  present.put(Fault::settings_lost, in.settings_lost);
   present.put(Fault::corrupt_packets, link_.has_corrupt_run());
   present.put(Fault::general_missing, link_.is_silent());
   present.put(Fault::remote_restarted, has_restarted_);
@@ -189,7 +217,7 @@ Inhibits Spm::present_inhibits() const {
   const faults::Summary& faults = faults_.summary();
   Inhibits present;
   present.put(Inhibit::no_general_yet, phase_ != Phase::running);
-  present.put(Inhibit::transient, faults.is_transient);
+  present.put(Inhibit::transient, is_stopping_);
   present.put(Inhibit::fault, faults.must_stop && !faults.is_transient);
   present.put(Inhibit::remote_inhibit, general_.remote_inhibit);    // SB-00.4
   present.put(Inhibit::charger_inhibit, general_.charger_inhibit);  // SB-00.5
@@ -207,12 +235,14 @@ void Spm::answer_power_up() {
   until_settings_ = 0;
 }
 
-void Spm::answer_general() {
+void Spm::answer_general(Millis period, Instant now) {
   Turn& turn = responder_.open();
   turn.add(encode(report()));  // SB-2.7: general first
-  if (until_settings_ == 0) {  // SB-0A.1
+  // SB-0A.1: as often as real modules, but never so late that the answer after this one would exceed the second.
+  if (until_settings_ == 0 || now - settings_at_ + period > limits::longest_without_settings) {
     turn.add(encode(reported_settings()));
     until_settings_ = limits::settings_every;
+    settings_at_ = now;
   }
   --until_settings_;
   responder_.close();
@@ -256,9 +286,6 @@ SpmSettings Spm::reported_settings() const {
 
 void Spm::every_millisecond(const Inputs& in, Instant now) {
   const Millis late = now - last_step_;
-  if (late == 0_ms) {
-    return;
-  }
   supervise(in, now);
   if (late > Millis(longest_catch_up)) {
     record(EventCode::time_was_lost, narrow<uint8_t>(late > 255_ms ? 255U : late.count()), now);

@@ -39,9 +39,13 @@ class Spm {
   constexpr explicit Spm(const Settings& settings = Settings())
       : settings_(settings), link_(limits::link), neutral_(limits::neutral_proof) {}
 
+  // Before the first step.
+  void use(const Settings& settings) { settings_ = settings; }
+
   // Everything that happens in the power module, once for each event: at every heard byte, every 500 us and every
   // millisecond. `now` never goes back. The work of a millisecond is done once, by the first step that sees it.
-  Outputs step(const Inputs& in, base::Instant now);
+  // The outputs stand until the next step.
+  const Outputs& step(const Inputs& in, base::Instant now);
 
   // For the console, the log and tests.
   Phase phase() const { return phase_; }
@@ -63,10 +67,12 @@ class Spm {
   void take_corrupt();
 
   void supervise(const Inputs& in, base::Instant now);
+  void look_for_faults(const Inputs& in, base::Instant now);
+  void weigh_inhibits();
   FaultSet present_faults(const Inputs& in) const;
   Inhibits present_inhibits() const;
 
-  void answer_general();
+  void answer_general(base::Millis period, base::Instant now);
   void answer_power_up();
   bus::shark::SpmGeneral report() const;
   bus::shark::SpmSettings reported_settings() const;
@@ -94,8 +100,10 @@ class Spm {
   OperatingMode mode_;
   Neutral neutral_;
   uint8_t until_settings_ = 0;  // generals until the next settings packet
+  base::Instant settings_at_;   // when the last one was said
 
   faults::Manager<Fault, fault_count> faults_;
+  bool is_stopping_ = false;  // an emergency stop is on its way (SB-2.17)
   Inhibits inhibits_;
   faults::EventRing events_;
 

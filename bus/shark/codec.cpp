@@ -9,11 +9,13 @@ namespace shark {
 
 namespace {
 
+using Data = base::Span<const uint8_t>;
+
 // SB-5.3: the least data of each type that is sent to us; 0 = not for us, or reserved (SB-5.1).
 const uint8_t least_data[16] IN_FLASH = {6, 0, 1, 0, 6, 0, 1, 3, 6, 7, 0, 0, 0, 0, 0, 0};
 
-JoystickReading reading(const uint8_t* data, base::Field high, base::Field low) {
-  return JoystickReading(static_cast<uint16_t>((base::read(data, high) << 3) | base::read(data, low)));
+__attribute__((always_inline)) inline JoystickReading reading(const uint8_t* data, base::Field high, base::Field low) {
+  return JoystickReading(static_cast<uint16_t>(base::read(data, high) * 8U + base::read(data, low)));
 }
 
 }  // namespace
@@ -32,7 +34,7 @@ SrGeneral decode_sr_general(const Frame& frame) {
   SrGeneral packet;
   packet.speed = reading(data, at::speed_high, at::speed_low);              // SB-00.1
   packet.direction = reading(data, at::direction_high, at::direction_low);  // SB-00.1
-  packet.pot = PotReading(static_cast<uint8_t>((base::read(data, at::pot_high) << 1) | base::read(data, at::pot_low)));
+  packet.pot = PotReading(static_cast<uint8_t>(base::read(data, at::pot_high) * 2U + base::read(data, at::pot_low)));
   packet.joystick_error = base::is_set(data, at::joystick_error);
   packet.pot_error = base::is_set(data, at::pot_error);
   packet.local_fault = base::is_set(data, at::local_fault);
@@ -77,20 +79,21 @@ SrPowerUp decode_sr_power_up(const Frame& frame) {
   return packet;
 }
 
-void Packet::seal() {
-  uint8_t sum = bytes_[0];
-  const uint8_t last = static_cast<uint8_t>(size_ - 1);
-  for (uint8_t i = 1; i < last; ++i) {
-    bytes_[i] = static_cast<uint8_t>(bytes_[i] | marker_bit);  // SB-2.4
-    sum = static_cast<uint8_t>(sum + bytes_[i]);
+Packet::Packet(Type type, base::Span<const uint8_t> data) : bytes_(), size_(static_cast<uint8_t>(data.size() + 2)) {
+  uint8_t* to = bytes_.items;
+  uint8_t sum = start_byte(type, data.size());
+  *to++ = sum;
+  for (const uint8_t byte : data) {
+    const uint8_t marked = static_cast<uint8_t>(byte | marker_bit);  // SB-2.4
+    *to++ = marked;
+    sum = static_cast<uint8_t>(sum + marked);
   }
-  bytes_[last] = checksum(sum);  // SB-2.5
+  *to = checksum(sum);  // SB-2.5
 }
 
 Packet encode(const SpmGeneral& packet) {
   namespace at = spm_general;
-  Packet wire(Type::spm_general, 7);
-  uint8_t* data = wire.data();
+  uint8_t data[7] = {};
   base::put(data, at::locked, packet.locked);
   base::put(data, at::slowdown, packet.slowdown);
   base::put(data, at::fuel_gauge, packet.fuel_gauge);
@@ -124,29 +127,26 @@ Packet encode(const SpmGeneral& packet) {
   base::put(data, at::operating_mode, packet.operating_mode);
   base::put(data, at::sacu_mode_invalid, packet.sacu_mode_invalid);
   base::put(data, at::speedo, packet.speedo);
-  wire.seal();
-  return wire;
+  return Packet(Type::spm_general, Data(data, sizeof data));
 }
 
 Packet encode(const SpmPowerUp& packet) {
   namespace at = spm_power_up;
-  Packet wire(Type::spm_power_up, 1);
-  base::put(wire.data(), at::actuator2, packet.supports_actuator2);
-  base::put(wire.data(), at::actuator1, packet.supports_actuator1);
-  base::put(wire.data(), at::lighting, packet.supports_lighting);
-  wire.seal();
-  return wire;
+  uint8_t data[1] = {};
+  base::put(data, at::actuator2, packet.supports_actuator2);
+  base::put(data, at::actuator1, packet.supports_actuator1);
+  base::put(data, at::lighting, packet.supports_lighting);
+  return Packet(Type::spm_power_up, Data(data, sizeof data));
 }
 
 Packet encode(const SpmSettings& packet) {
   namespace at = spm_settings;
-  Packet wire(Type::spm_settings, 2);
-  base::put(wire.data(), at::speedo_option, packet.speedo_option);
-  base::put(wire.data(), at::click_on_keypress, packet.click_on_keypress);
-  base::put(wire.data(), at::speed_button_sensitivity, packet.speed_button_sensitivity);
-  base::put(wire.data(), at::joystick_switch_threshold, packet.joystick_switch_threshold);
-  wire.seal();
-  return wire;
+  uint8_t data[2] = {};
+  base::put(data, at::speedo_option, packet.speedo_option);
+  base::put(data, at::click_on_keypress, packet.click_on_keypress);
+  base::put(data, at::speed_button_sensitivity, packet.speed_button_sensitivity);
+  base::put(data, at::joystick_switch_threshold, packet.joystick_switch_threshold);
+  return Packet(Type::spm_settings, Data(data, sizeof data));
 }
 
 }  // namespace shark

@@ -27,13 +27,9 @@ SrPowerUp decode_sr_power_up(const Frame& frame);
 // unused bits are zero (SB-5.4).
 class Packet {
  public:
-  constexpr Packet() : bytes_(), size_(0) {}
-  constexpr Packet(Type type, uint8_t length) : bytes_(), size_(static_cast<uint8_t>(length + 2)) {
-    bytes_[0] = start_byte(type, length);
-  }
+  // Adds start byte, markers and checksum to 1 to 8 data bytes.
+  Packet(Type type, base::Span<const uint8_t> data);
 
-  uint8_t* data() { return bytes_.items + 1; }  // data bytes, to be filled without markers
-  void seal();                                  // adds the markers and the checksum
   base::Span<const uint8_t> bytes() const { return base::Span<const uint8_t>(bytes_.items, size_); }
 
  private:

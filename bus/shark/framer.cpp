@@ -6,7 +6,7 @@ namespace shark {
 using namespace base;  // literals
 
 namespace {
-constexpr Micros longest_gap = 3000_us;  // SB-2.11
+constexpr Micros longest_gap = 3036_us;  // SB-2.11: 3 ms from the end of the byte, 36 us after its stamp
 }
 
 Verdict Framer::feed(const HeardByte& byte) {
@@ -87,7 +87,8 @@ Verdict::What Framer::append(uint8_t byte) {
   return byte == checksum(sum_) ? Verdict::What::frame : Verdict::What::nothing;  // SB-2.5
 }
 
-// The byte belongs to no sound packet; whatever follows up to a start byte, TF or silence goes with it.
+// The byte belongs to no sound packet, and nobody sends it again (SB-2.9); a collision looks no different (SB-2.18).
+// Whatever follows up to a start byte, TF or silence goes with it.
 void Framer::drop_packet(Verdict& verdict) {
   if (state_ != State::discard) {
     ++verdict.corrupt;

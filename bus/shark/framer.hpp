@@ -1,7 +1,7 @@
 // Bytes and their times become frames, turn ends and corrupt packets (SB-2.3 to SB-2.6, SB-2.10 to SB-2.12).
 //
 // Goals: whatever comes in, the next whole packet after it is understood; one verdict a packet.
-// Assumptions: bytes come oldest first with the receiver's stamps; poll() is called at least every 500 us.
+// Assumptions: bytes come oldest first, stamped at their first stop bit; poll() is called 3 to 3.4 ms after the last.
 // Invariants: at most one packet is being assembled; a verdict is given once; no byte ever counts for two packets.
 #pragma once
 
@@ -35,8 +35,8 @@ class Framer {
   // The frame of the last `frame` verdict; valid until the next feed().
   const Frame& frame() const { return frame_; }
 
-  // True while a packet lacks only its checksum: its verdict is at most one character away, so long work waits.
-  bool is_nearly_complete() const { return state_ == State::packet && received_ == frame_.length; }
+  // True while a packet lacks two bytes at most: its verdict is that near, so long work waits.
+  bool is_nearly_complete() const { return state_ == State::packet && received_ + 1 >= frame_.length; }
 
   // When the last byte came, as far as it is less than 65 ms ago.
   base::Stamp last_byte() const { return last_; }

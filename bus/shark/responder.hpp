@@ -54,6 +54,8 @@ class Responder {
   // At the beginning of a step: nothing new to say yet.
   void begin_step() { speech_ = Speech::as_it_is; }
   Speech speech() const { return speech_; }
+  // Something is to be said with this step.
+  bool has_answer() const { return speech_ == Speech::arm || speech_ == Speech::speak; }
   const Turn& turn() const { return turn_; }
 
  private:

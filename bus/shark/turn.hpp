@@ -29,9 +29,11 @@ class Turn {
     if (size_ + bytes.size() >= capacity) {
       return false;
     }
-    for (uint8_t byte : bytes) {
-      bytes_[size_++] = byte;
+    uint8_t* to = bytes_.items + size_;
+    for (const uint8_t byte : bytes) {
+      *to++ = byte;
     }
+    size_ = static_cast<uint8_t>(size_ + bytes.size());
     return true;
   }
 

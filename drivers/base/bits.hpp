@@ -15,17 +15,27 @@ struct Field {
   constexpr uint8_t maximum() const { return static_cast<uint8_t>(mask() >> low); }
 };
 
-constexpr uint8_t read(const uint8_t* data, Field field) {
+// These are always inlined: with the field known each is a few instructions, where a call would need more, and
+// would need every Field in RAM.
+
+__attribute__((always_inline)) constexpr uint8_t read(const uint8_t* data, Field field) {
   return static_cast<uint8_t>((data[field.byte] & field.mask()) >> field.low);
 }
 
-constexpr bool is_set(const uint8_t* data, Field field) {
+__attribute__((always_inline)) constexpr bool is_set(const uint8_t* data, Field field) {
   return (data[field.byte] & field.mask()) != 0;
 }
 
 // Sets the field's bits; `data` must hold zeros there. Bits of `value` outside the field are dropped.
-constexpr void put(uint8_t* data, Field field, uint8_t value) {
+__attribute__((always_inline)) constexpr void put(uint8_t* data, Field field, uint8_t value) {
   data[field.byte] = static_cast<uint8_t>(data[field.byte] | (static_cast<uint8_t>(value << field.low) & field.mask()));
+}
+
+// A field of one bit.
+__attribute__((always_inline)) constexpr void put(uint8_t* data, Field field, bool is_on) {
+  if (is_on) {
+    data[field.byte] = static_cast<uint8_t>(data[field.byte] | field.mask());
+  }
 }
 
 }  // namespace base

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <stdint.h>
-#include <string.h>
 
 #if defined(__AVR__)
 // The GCC attribute behind avr-libc's PROGMEM; spelled out so that only drivers/avr includes <avr/...>.
@@ -15,16 +14,19 @@
 
 namespace base {
 
-inline uint8_t flash_byte(const void* address) {
+// The byte at `address`, which moves on to the next.
+inline uint8_t next_flash_byte(const uint8_t*& address) {
 #if defined(__AVR__)
   uint8_t value;
-  __asm__ __volatile__("lpm %0, Z" : "=r"(value) : "z"(address));
+  __asm__ __volatile__("lpm %0, Z+" : "=r"(value), "+z"(address));
   return value;
 #else
-  uint8_t value;
-  memcpy(&value, address, 1);
-  return value;
+  return *address++;
 #endif
+}
+
+inline uint8_t flash_byte(const uint8_t* address) {
+  return next_flash_byte(address);
 }
 
 // A copy of one object that lives in flash.
@@ -34,7 +36,7 @@ T from_flash(const T& row) {
   uint8_t* to = reinterpret_cast<uint8_t*>(&copy);
   const uint8_t* from = reinterpret_cast<const uint8_t*>(&row);
   for (uint8_t i = 0; i < sizeof(T); ++i) {
-    to[i] = flash_byte(from + i);
+    to[i] = next_flash_byte(from);
   }
   return copy;
 }

@@ -34,7 +34,15 @@ class TurnSender {
   };
 
   constexpr TurnSender()
-      : bytes_(), size_(0), sent_(0), echoed_(0), terminator_(0), state_(State::idle), clashed_(false) {}
+      : bytes_(),
+        size_(0),
+        sent_(0),
+        echoed_(0),
+        terminator_(0),
+        last_(0),
+        is_last_clean_(false),
+        state_(State::idle),
+        clashed_(false) {}
 
   State state() const { return state_; }
 
@@ -49,20 +57,30 @@ class TurnSender {
   // Copies a turn in. Only after hush() and while idle; needs no lock, because nothing reads
   // the bytes of an idle sender. Longer turns are cut at `capacity`: callers stay below it.
   void load(Span<const uint8_t> turn) {
-    size_ = turn.size() < capacity ? turn.size() : capacity;
-    for (uint8_t i = 0; i < size_; ++i) {
+    const uint8_t size = turn.size() < capacity ? turn.size() : capacity;
+    for (uint8_t i = 0; i < size; ++i) {
       bytes_[i] = turn[i];
     }
+    size_ = size;
     sent_ = 0;
     echoed_ = 0;
   }
 
-  void arm(uint8_t terminator) {
+  // True if the terminator is the last thing that was heard: the turn has begun, although it came late.
+  bool arm(uint8_t terminator) {
+    if (is_last_clean_ && last_ == terminator) {
+      begin();
+      return true;
+    }
     terminator_ = terminator;
     state_ = State::armed;
+    return false;
   }
 
-  void begin() { state_ = State::speaking; }
+  void begin() {
+    state_ = State::speaking;
+    is_last_clean_ = false;
+  }
 
   // A character came from the line.
   Heard hear(uint8_t value, bool is_spoiled) {
@@ -71,6 +89,8 @@ class TurnSender {
       return Heard::start;
     }
     if (state_ != State::speaking || sent_ == 0) {
+      last_ = value;
+      is_last_clean_ = !is_spoiled;
       return Heard::data;
     }
     if (!clashed_ && echoed_ < sent_ && value == bytes_[echoed_] && !is_spoiled) {
@@ -112,6 +132,8 @@ class TurnSender {
   uint8_t sent_;
   uint8_t echoed_;
   uint8_t terminator_;
+  uint8_t last_;  // somebody else's last character
+  bool is_last_clean_;
   State state_;
   bool clashed_;
 };

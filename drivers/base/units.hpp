@@ -48,6 +48,10 @@ constexpr Permille operator"" _permille(unsigned long long count) {
   return Permille(static_cast<uint16_t>(count));
 }
 
+constexpr int16_t magnitude(int16_t value) {
+  return static_cast<int16_t>(value < 0 ? -value : value);
+}
+
 // The one spelled-out narrowing: the caller states that the value fits.
 template <typename To, typename From>
 constexpr To narrow(From value) {

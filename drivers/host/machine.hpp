@@ -23,6 +23,7 @@ struct Machine {
   // Set by the simulation before the firmware runs.
   base::Instant now;
   base::Stamp stamp;
+  bool wake = false;
   signals::Sensed sensed;
   std::array<std::uint16_t, analog::channel_count> analog_raw{};  // 0 to 1023
   watchdog::ResetCause reset_cause = watchdog::ResetCause::power_on;
@@ -50,6 +51,7 @@ struct Machine {
 
 // The machine all drivers of this thread act on from now on; it must outlive its use.
 void select(Machine& machine);
+Machine& selected();
 
 }  // namespace host
 }  // namespace drivers

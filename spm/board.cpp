@@ -1,0 +1,165 @@
+#include "spm/board.hpp"
+
+#include "drivers/analog.hpp"
+#include "drivers/bridge.hpp"
+#include "drivers/clock.hpp"
+#include "drivers/power_latch.hpp"
+#include "drivers/serial.hpp"
+#include "drivers/signals.hpp"
+#include "drivers/store.hpp"
+#include "drivers/watchdog.hpp"
+#include "spm/settings_block.hpp"
+
+namespace spm {
+
+using drivers::analog::Channel;
+using drivers::watchdog::ResetCause;
+
+namespace {
+
+// The converter's 1024 is 5 V; the rest is the board's dividers and sensors. Each sum fits into 16 bits, because the
+// AVR pays for every wider one, a thousand times a second.
+
+// 8:1 divider: 40000 mV / 1024 = 39 1/16 a step.
+base::Millivolts battery_of(uint16_t raw) {
+  return base::Millivolts(static_cast<uint16_t>(raw * 39U + (raw >> 4)));
+}
+
+// 2.5 V = 0 A, 20 mV per ampere: 244 mA a step.
+base::Milliamps motor_current_of(uint16_t raw) {
+  const int16_t steps = static_cast<int16_t>(static_cast<int16_t>(raw) - 512);
+  return base::Milliamps(static_cast<int32_t>(steps) * 244);
+}
+
+// 1 V per ampere: 5000 mA / 1024 = 5 less 15/128 a step.
+base::Milliamps coil_current_of(uint16_t raw) {
+  return base::Milliamps(static_cast<uint16_t>(raw * 5U - ((raw * 15U) >> 7)));
+}
+
+Start start_of(ResetCause cause) {
+  const bool is_unexpected = cause == ResetCause::watchdog || cause == ResetCause::brown_out;  // SB-3.9
+  return is_unexpected ? Start::unexpected : Start::power_on;
+}
+
+Speaker speaker_of(base::TurnSender::State state) {
+  switch (state) {
+    case base::TurnSender::State::idle:
+      return Speaker::idle;
+    case base::TurnSender::State::armed:
+      return Speaker::armed;
+    case base::TurnSender::State::speaking:
+      break;
+  }
+  return Speaker::speaking;
+}
+
+// Full demand is full duty; the sign goes to the direction pin.
+drivers::bridge::Wheel wheel_of(Demand demand) {
+  drivers::bridge::Wheel wheel;
+  const int16_t value = demand.count();
+  wheel.is_forward = value >= 0;
+  const uint16_t magnitude = static_cast<uint16_t>(value < 0 ? -value : value);
+  wheel.duty = static_cast<uint16_t>((magnitude - (magnitude >> 9)) >> 5);  // 511/512 of it, in steps of 2^5
+  return wheel;
+}
+static_assert(full_demand.count() == 1 << 14 && drivers::bridge::full_duty == 511, "511/512 of 2^14 / 2^5");
+
+void speak(const Outputs& outputs) {
+  switch (outputs.speech) {
+    case Speech::as_it_is:
+      break;
+    case Speech::arm:
+      drivers::serial::arm(bus::shark::transmit_finished, outputs.turn);
+      break;
+    case Speech::speak:
+      drivers::serial::speak(outputs.turn);
+      break;
+    case Speech::hush:
+      drivers::serial::hush();
+      break;
+  }
+}
+
+}  // namespace
+
+void Board::start() {
+  in_.start = start_of(drivers::watchdog::reset_cause());
+  drivers::bridge::start();
+  drivers::signals::start();
+  drivers::serial::start();
+  drivers::analog::start();
+  drivers::clock::start();
+  drivers::watchdog::start();
+}
+
+Settings Board::settings() {
+  SettingsBlock block;
+  for (uint8_t i = 0; i < block.size(); ++i) {
+    block[i] = drivers::store::read(static_cast<uint16_t>(settings_address + i));
+  }
+  const LoadedSettings loaded = read_settings(block);
+  in_.settings_lost = loaded.is_lost;
+  return loaded.settings;
+}
+
+const Inputs& Board::sense(base::Instant now) {
+  sense_bus();
+  if (now != last_slow_ || !has_sensed_) {
+    has_sensed_ = true;
+    last_slow_ = now;
+    sense_slow();
+  }
+  return in_;
+}
+
+void Board::sense_bus() {
+  in_.heard_count = 0;
+  while (in_.heard_count < in_.heard.size() && drivers::serial::take(in_.heard[in_.heard_count])) {
+    ++in_.heard_count;
+  }
+  in_.stamp = drivers::clock::stamp();
+  in_.speaker = speaker_of(drivers::serial::state());
+  in_.echo_differed = drivers::serial::take_clash();
+  in_.wake = drivers::signals::is_awake();
+}
+
+void Board::sense_slow() {
+  const drivers::signals::Sensed sensed = drivers::signals::sense();
+  in_.dci_slowdown = sensed.dci_slowdown;
+  in_.lighting_fitted = sensed.lighting_fitted;
+  in_.battery = battery_of(drivers::analog::raw(Channel::battery));
+  in_.left_current = motor_current_of(drivers::analog::raw(Channel::left_current));
+  in_.right_current = motor_current_of(drivers::analog::raw(Channel::right_current));
+  in_.brake_coils = coil_current_of(drivers::analog::raw(Channel::brake_coils));
+  in_.analog_ready = drivers::analog::is_ready();
+}
+
+void Board::apply(const Outputs& outputs) {
+  speak(outputs);  // first: an answer must not wait for anything
+  if (outputs.are_pins_as_before) {
+    return;
+  }
+  drivers::bridge::Motion motion;
+  motion.left = wheel_of(outputs.left);
+  motion.right = wheel_of(outputs.right);
+  motion.bridge_enabled = outputs.bridge_enabled;
+  motion.relay_closed = outputs.relay_closed;
+  motion.left_brake_released = outputs.left_brake == Brake::released;
+  motion.right_brake_released = outputs.right_brake == Brake::released;
+  drivers::bridge::apply(motion);
+
+  drivers::signals::Switched switched;
+  switched.left_indicator = outputs.left_indicator;
+  switched.right_indicator = outputs.right_indicator;
+  switched.headlight = outputs.headlight;
+  switched.status_led = outputs.status_led;
+  drivers::signals::apply(switched);
+
+  if (outputs.latch == Latch::hold) {
+    drivers::power_latch::hold();
+  } else if (outputs.latch == Latch::release) {
+    drivers::power_latch::release();
+  }
+}
+
+}  // namespace spm
