@@ -18,7 +18,7 @@ struct BusByte {
   std::uint8_t sent = 0;   // as the sender meant it
   std::uint8_t heard = 0;  // as a nominal receiver reads the line
   bool spoiled = false;    // framing error at a nominal receiver
-  bool lost = false;       // never reached the line (cable cut, dropped by a fault)
+  bool lost = false;       // never reached the line (cable cut, dropped by a fault, wake asserted)
 };
 
 }  // namespace simulation

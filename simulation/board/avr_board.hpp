@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/board/interrupt_use.hpp"
+#include "simulation/board/avr_interrupt_use.hpp"
 #include "simulation/board/spm_board.hpp"
 
 namespace simulation {

@@ -94,6 +94,9 @@ AvrCore::~AvrCore() {
     avr_free_irq(avr_->interrupts.vector[i]->irq, AVR_INT_IRQ_COUNT);
   }
   avr_free_irq(avr_->interrupts.irq, AVR_INT_IRQ_COUNT);
+  for (auto& reg : avr_->io) {
+    avr_free_irq(reg.irq, AVR_IOMEM_IRQ_ALL + 1);
+  }
   avr_terminate(avr_);
   std::free(avr_->irq_pool.irq);
   std::free(avr_);
@@ -146,7 +149,7 @@ void AvrCore::run_instructions() {
     // on SEI, SLEEP, CLI.
     avr_->interrupt_state = avr_has_pending_interrupts(avr_) ? 1 : 0;
   } else if (avr_->interrupt_state > 0 && avr_->state == cpu_Running) {
-    avr_service_interrupts(avr_);
+    interrupts_->serve();
   }
 }
 

@@ -52,9 +52,16 @@ void AvrInterrupts::update(avr_int_vector_t& vector) {
   update(*watched(vector));
 }
 
+void AvrInterrupts::serve() {
+  avr_service_interrupts(&avr_);
+  // The response took time. What fell due in it must act before the handler touches a timer, since simavr forgets due
+  // compares when any compare register of that timer is written.
+  avr_cycle_timer_process(&avr_);
+}
+
 void AvrInterrupts::serve_after_sleep() {
   wake_up_cycles_ = extra_after_sleep;
-  avr_service_interrupts(&avr_);
+  serve();
   wake_up_cycles_ = 0;
 }
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "simulation/board/avr_clock.hpp"
+#include "simulation/board/avr_interrupt_use.hpp"
 #include "simulation/board/avr_simavr.hpp"
-#include "simulation/board/interrupt_use.hpp"
 
 namespace simulation {
 
@@ -31,7 +31,9 @@ class AvrInterrupts {
   void make_level(avr_int_vector_t& vector, std::function<bool()> asks);
   void update(avr_int_vector_t& vector);
 
-  // The CPU leaves sleep to serve what is pending.
+  // The most urgent of what is pending, if interrupts are on.
+  void serve();
+  // The same by a CPU that leaves sleep for it.
   void serve_after_sleep();
 
   std::vector<InterruptUse> uses() const;

@@ -35,12 +35,13 @@ avr_ioport_t* find_port(avr_t& avr, char name) {
 AvrPins::AvrPins(AvrCore& core)
     : core_(core),
       avr_(core.avr()),
-      ports_{find_port('A'), find_port('B'), find_port('C'), find_port('D')},
+      ports_{find_port(avr_, 'A'), find_port(avr_, 'B'), find_port(avr_, 'C'), find_port(avr_, 'D')},
       timer_(find_module<avr_timer_t>(avr_, "timer", [](const auto& timer) { return timer.name == '1'; })),
       interrupts_(find_module<avr_extint_t>(avr_, "extint", [](const auto&) { return true; })),
       left_{&timer_.comp[AVR_TIMER_COMPA]},
       right_{&timer_.comp[AVR_TIMER_COMPB]} {
   move_wake_to_its_pin();
+  calm_level_interrupts();
   simavr_compare_left_ = replace_write<&AvrPins::write_compare>(avr_, left_.unit->r_ocr, *this);
   simavr_compare_right_ = replace_write<&AvrPins::write_compare>(avr_, right_.unit->r_ocr, *this);
   simavr_toggle_[0] = replace_write<&AvrPins::toggle<'A'>>(avr_, port('A').r_pin, *this);
@@ -59,11 +60,16 @@ void AvrPins::move_wake_to_its_pin() {
   avr_connect_irq(avr_io_getirq(&avr_, source.port_ioctl, source.port_pin), interrupt);
 }
 
+// A low level would make simavr ask at every cycle, whatever the interrupt's mode has become.
+void AvrPins::calm_level_interrupts() {
+  for (auto& source : interrupts_.eint) {
+    source.strict_lvl_trig = 0;
+  }
+}
+
 void AvrPins::reset() {
   left_.value = right_.value = 0;
-  for (int i = 0; i < EXTINT_COUNT; ++i) {
-    avr_extint_set_strict_lvl_trig(&avr_, static_cast<std::uint8_t>(i), 0);
-  }
+  calm_level_interrupts();
   for (const char name : {'A', 'B', 'C', 'D'}) {
     for (int i = 0; i < 8; ++i) {
       // The registers have forgotten the levels, the signals have not: let the same level pass again.

@@ -21,6 +21,7 @@ class AvrPins {
   };
 
   void move_wake_to_its_pin();
+  void calm_level_interrupts();
   void reset();
   void apply();
   void drive_port(char name, std::uint8_t mask, std::uint8_t levels);

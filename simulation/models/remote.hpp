@@ -4,11 +4,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "simulation/board/spm_board.hpp"
 #include "simulation/time.hpp"
 
 namespace simulation {
@@ -50,7 +53,120 @@ struct RemoteIdentity {
 // What the remote has understood from the SPM's last valid general packet.
 struct SpmReport {
   std::array<std::uint8_t, 7> data{};  // marker bits stripped
-  Time at{};
+  Time at{};                           // end of the packet; 0 = none yet
+
+  bool is_locked() const { return bit(0, 6); }
+  bool is_slowed() const { return bit(0, 5); }  // DCI slowdown or limp
+  int fuel_gauge() const { return data[0] & 0x1F; }
+  bool is_drive_inhibited() const { return bit(1, 6); }
+  bool is_power_down_now() const { return bit(1, 4); }
+  int system_state() const { return data[1] & 0x0F; }
+  bool is_drive_modified() const { return bit(2, 5); }
+  bool is_sleep_requested() const { return bit(2, 3); }
+  bool is_calibrating() const { return bit(2, 2); }
+  bool sounds_horn() const { return bit(2, 0); }
+  bool is_sacu_driving() const { return bit(3, 6); }
+  bool is_driving() const { return bit(3, 5); }
+  bool is_mode_invalid() const { return bit(5, 4); }
+  int operating_mode() const { return data[5] & 0x0F; }
+  int speedo() const { return data[6] & 0x1F; }
+
+ private:
+  bool bit(std::size_t byte, int number) const { return ((data[byte] >> number) & 1) != 0; }
+};
+
+// The remote's own clock and habits.
+struct RemoteTiming {
+  double bit_us = 1e6 / 38400;  // microseconds
+  int stop_bits = 2;
+  Time gap{};  // idle line between the bytes of a turn
+  Time period = 20ms;
+  Time wake = 300ms;       // how long the wake is asserted after a press
+  Time first_turn = 20ms;  // from the press to the first power-up packet
+};
+
+// Of the turns with a general.
+struct RemoteStatistics {
+  std::uint32_t answers = 0;  // complete: a valid SPM general and its TF before the next turn
+  std::uint32_t missed = 0;
+  std::uint32_t bad = 0;     // corrupt packets and stray bytes heard, whoever sent them
+  std::vector<Time> delays;  // of every answer: end of the remote's TF to the answer's first start bit
+
+  Time least_delay() const;  // all three 0 without an answer
+  Time median_delay() const;
+  Time largest_delay() const;
+};
+
+// The world calls act() when next_time() has come, and hear() for every character on the remote's end of the line.
+class Remote {
+ public:
+  // A byte whose start bit begins at `start`, now or later: a whole turn is handed over at once.
+  using Transmit = std::function<void(std::uint8_t value, Time start)>;
+  using Wake = std::function<void(bool asserted, Time at)>;
+
+  // Both may be set or changed at any time.
+  RemoteControls controls;
+  RemoteIdentity identity;
+  RemoteTiming timing;
+  bool is_silent = false;     // runs, but sends nothing
+  bool is_insistent = false;  // requests lamps and actuators even where one side has none
+
+  void on_transmit(Transmit transmit) { transmit_ = std::move(transmit); }
+  void on_wake(Wake wake) { wake_ = std::move(wake); }
+
+  // The press that switches on; without effect while on (a press then is controls.power_button).
+  void start(Time now);
+  // When act() wants to be called next; Time::max() while off.
+  Time next_time() const;
+  void act(Time now);
+  // Characters sampled before the end of the remote's own turn are its echo and pass unread.
+  void hear(const Reception& reception);
+
+  bool is_on() const { return phase_ != Phase::off; }
+  bool is_sending_generals() const { return phase_ == Phase::general; }
+  bool wake_asserted(Time now) const { return now < wake_until_; }
+  bool has_communication_fault() const { return has_communication_fault_; }  // SB-3.5; ends with the next valid general
+  bool is_confirming_power_down() const { return is_confirming_; }
+  int spm_capabilities() const { return spm_capabilities_; }  // from its power-up packet; 0 until then
+  Time turn_began_at() const { return turn_from_; }
+  Time turn_ended_at() const { return turn_until_; }  // end of the TF's last stop bit
+  const SpmReport& report() const { return report_; }
+  const RemoteStatistics& statistics() const { return statistics_; }
+
+  // The packets as they go on the wire, with marker bits and checksum, without TF.
+  std::vector<std::uint8_t> power_up_packet() const;
+  std::vector<std::uint8_t> general_packet() const;
+
+ private:
+  enum class Phase { off, power_up, general };
+
+  Time bits(double count) const;
+  void end_wake_if_due(Time now);
+  void judge_last_turn(Time now);
+  void send_turn(Time now);
+  void take_packet(Time at);
+  void take_general(Time at);
+  void take_end_of_turn();
+
+  Transmit transmit_;
+  Wake wake_;
+  Phase phase_ = Phase::off;
+  bool is_wake_shown_ = false;
+  Time wake_until_{};
+  Time next_turn_{};
+  Time turn_from_{};
+  Time turn_until_{};
+  bool awaits_answer_ = false;        // the last turn was a general without an answer yet
+  bool has_general_ = false;          // a valid SPM general since the last turn
+  std::optional<Time> answer_from_;   // first start bit after the last turn
+  std::vector<std::uint8_t> packet_;  // being received; empty outside a packet
+  Time last_heard_{};
+  Time spm_heard_{};  // the last valid SPM general, or the first general sent
+  bool has_communication_fault_ = false;
+  bool is_confirming_ = false;
+  int spm_capabilities_ = 0;
+  SpmReport report_;
+  RemoteStatistics statistics_;
 };
 
 }  // namespace simulation

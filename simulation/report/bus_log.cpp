@@ -51,9 +51,17 @@ void BusLog::take(const Packet& packet) {
     return;
   }
   if (!cycle_.empty() && cycle_.back().packet.sender == packet.sender) {
-    cycle_.back().has_finished = true;
+    cycle_.back().has_finish = true;
   } else {
     cycle_.push_back({packet, true});
+  }
+}
+
+// Everybody's last packet in a turn is followed by TF.
+void BusLog::look_for_missing_finish() {
+  for (std::size_t i = 0; i < cycle_.size(); ++i) {
+    const bool is_last = i + 1 == cycle_.size() || cycle_[i + 1].packet.sender != cycle_[i].packet.sender;
+    cycle_[i].lacks_finish = is_last && !cycle_[i].has_finish && cycle_[i].packet.kind == Packet::Kind::packet;
   }
 }
 
@@ -61,57 +69,60 @@ void BusLog::close_cycle() {
   if (cycle_.empty()) {
     return;
   }
-  if (says_nothing_new()) {
+  look_for_missing_finish();
+  const std::vector<std::string> shape = shape_of_cycle();
+  // As long as the same packets come and go, only those that say something new are worth a line.
+  const bool is_familiar = shape == shape_;
+  shape_ = shape;
+  bool is_folded = true;
+  for (const Line& line : cycle_) {
+    if (!is_familiar || says_something_new(line)) {
+      unfold();
+      print(line);
+      is_folded = false;
+    }
+  }
+  if (is_folded) {
     ++folded_;
     folded_until_ = cycle_.back().packet.end;
-  } else {
-    unfold();
-    shape_.clear();
-    for (const Line& line : cycle_) {
-      print(line);
-      if (!comes_now_and_then(line.packet)) {
-        shape_.push_back(name_of(line.packet.sender) + decode(line.packet).name);
-      }
-    }
   }
   cycle_.clear();
 }
 
-bool BusLog::says_nothing_new() const {
-  std::size_t place = 0;
+std::vector<std::string> BusLog::shape_of_cycle() const {
+  std::vector<std::string> shape;
   for (const Line& line : cycle_) {
-    const Decoded decoded = decode(line.packet);
-    const auto before = latest_.find({line.packet.sender, decoded.name});
-    if (line.packet.kind == Packet::Kind::corrupt || before == latest_.end() || !is_same(before->second, decoded)) {
-      return false;
-    }
-    if (comes_now_and_then(line.packet)) {
-      continue;
-    }
-    if (place == shape_.size() || shape_[place++] != name_of(line.packet.sender) + decoded.name) {
-      return false;
+    if (!comes_now_and_then(line.packet)) {
+      shape.push_back(name_of(line.packet.sender) + decode(line.packet).name + (line.lacks_finish ? "!" : ""));
     }
   }
-  return place == shape_.size();
+  return shape;
+}
+
+bool BusLog::says_something_new(const Line& line) const {
+  const Decoded decoded = decode(line.packet);
+  const auto before = latest_.find({line.packet.sender, decoded.name});
+  return line.packet.kind == Packet::Kind::corrupt || before == latest_.end() || !is_same(before->second, decoded);
 }
 
 void BusLog::print(const Line& line) {
   const Decoded decoded = decode(line.packet);
   const auto key = std::make_pair(line.packet.sender, decoded.name);
   const auto before = latest_.find(key);
-  std::string text = before == latest_.end() ? describe(decoded) : describe_change(before->second, decoded);
+  const bool is_first = before == latest_.end();
+  std::string text = is_first ? describe(decoded) : describe_change(before->second, decoded);
   if (text.empty()) {
-    text = "unchanged";
+    text = line.packet.kind == Packet::Kind::finished ? "alone" : is_first ? "nothing set" : "unchanged";
   }
   latest_.insert_or_assign(key, decoded);
-  page_.add(line.packet.start, tone_of(line.packet),
+  page_.add(line.packet.start, Page::Source::bus, tone_of(line.packet),
             fmt::format("{:9.4f} s  {:<5} {:<12} {}{}", seconds(line.packet.start), name_of(line.packet.sender),
-                        decoded.name, text, line.packet.kind == Packet::Kind::finished ? "alone" : ""));
+                        decoded.name, text, line.lacks_finish ? " (no TF)" : ""));
 }
 
 void BusLog::unfold() {
   if (folded_ > 0) {
-    page_.add(folded_until_, Tone::faint,
+    page_.add(folded_until_, Page::Source::bus, Tone::faint,
               fmt::format("             ... {} more {} like this, until {:.4f} s", folded_,
                           folded_ == 1 ? "cycle" : "cycles", seconds(folded_until_)));
     folded_ = 0;

@@ -1,5 +1,5 @@
-// The bus in words: one line a packet, only what changed since the last packet of its kind, cycles that say
-// nothing new folded into one line.
+// The bus in words: one line a packet, only what changed since the last packet of its kind; in a cycle of the usual
+// packets, only those that say something new; cycles that say nothing new folded into one line.
 #pragma once
 
 #include <deque>
@@ -31,19 +31,22 @@ class BusLog : public Observer {
  private:
   struct Line {
     Packet packet;
-    bool has_finished = false;  // TF followed
+    bool has_finish = false;    // TF followed
+    bool lacks_finish = false;  // it should have
   };
 
   void take(const Packet& packet);
+  void look_for_missing_finish();
   void close_cycle();
-  bool says_nothing_new() const;
+  std::vector<std::string> shape_of_cycle() const;
+  bool says_something_new(const Line& line) const;
   void print(const Line& line);
 
   Page& page_;
   Listener listener_;
   std::vector<Line> cycle_;
   std::map<std::pair<Sender, std::string>, Decoded> latest_;
-  std::vector<std::string> shape_;  // who said what in the last printed cycle, without settings
+  std::vector<std::string> shape_;  // who said what in the last cycle, without settings
   std::size_t folded_ = 0;
   Time folded_until_{};
   std::optional<Time> sr_until_;

@@ -136,10 +136,17 @@ const PacketRow& spm_general() {
 }
 
 std::string system_state_name(int state) {
-  static const std::array<const char*, system_state_count> names{
-      "System OK",        "User fault",           "Battery fault",      "Left motor fault",
-      "Right motor fault", "Left park brake fault", "Right park brake fault", "Shark remote fault",
-      "Power module fault", "Shark cable fault",    "Unknown fault"};
+  static const std::array<const char*, system_state_count> names{"System OK",
+                                                                 "User fault",
+                                                                 "Battery fault",
+                                                                 "Left motor fault",
+                                                                 "Right motor fault",
+                                                                 "Left park brake fault",
+                                                                 "Right park brake fault",
+                                                                 "Shark remote fault",
+                                                                 "Power module fault",
+                                                                 "Shark cable fault",
+                                                                 "Unknown fault"};
   if (state < 0 || state >= system_state_count) {
     return fmt::format("undefined ({:02X})", state);
   }

@@ -38,6 +38,7 @@ Facts::Facts(World& world)
     : world_(world), listener_([this](const Packet& packet) { take(packet); }), sample_(), before_() {}
 
 void Facts::on_byte(const BusByte& byte) {
+  last_byte_ended_at_ = std::max(last_byte_ended_at_, byte.end);
   if (byte.sender == Sender::spm) {
     hear_spm(byte);
   } else if (byte.sender == Sender::sr && !byte.lost) {
@@ -96,10 +97,31 @@ double Facts::turn_rate() const {
   return sample_.chair.turn_rate * 180 / std::numbers::pi;
 }
 
+double Facts::left_duty() const {
+  return left_drive(pins()) / full_duty;
+}
+
+double Facts::right_duty() const {
+  return right_drive(pins()) / full_duty;
+}
+
+double Facts::left_wheel() const {
+  return sample_.chair.left_wheel;
+}
+
+double Facts::right_wheel() const {
+  return sample_.chair.right_wheel;
+}
+
+bool Facts::is_cable_cut() const {
+  return world_.wire().is_cut();
+}
+
 void Facts::hear_spm(const BusByte& byte) {
   const bool begins_to_speak = !spoke_at_ || (sr_from_ && *spoke_at_ < *sr_from_);
   if (begins_to_speak && sr_until_ && !byte.lost) {
     answer_delay_ = byte.start - *sr_until_;
+    answer_began_at_ = byte.start;
   }
   spoke_at_ = byte.start;
 }

@@ -33,19 +33,27 @@ class Facts : public Observer {
   bool is_powered() const;
   std::uint32_t resets() const;
 
-  bool is_driven() const;         // some motor has a duty and its bridge is alive
-  bool has_sped_up() const;       // a duty grew, or turned round, since the sample before
-  double largest_duty() const;    // 0 to 1
-  double position() const;        // m, forward positive, along the way
-  double speed() const;           // m/s, forward positive
-  double turn_rate() const;       // degrees a second, to the right positive
+  bool is_driven() const;       // some motor has a duty and its bridge is alive
+  bool has_sped_up() const;     // a duty grew, or turned round, since the sample before
+  double largest_duty() const;  // 0 to 1
+  double position() const;      // m, forward positive, along the way
+  double speed() const;         // m/s, forward positive
+  double turn_rate() const;     // degrees a second, to the right positive
+  double left_wheel() const;    // m/s at the tread, forward positive
+  double right_wheel() const;
+  double left_duty() const;  // -1 to 1, forward positive; 0 while the bridge is dead
+  double right_duty() const;
+  bool is_cable_cut() const;
 
   // The SPM's last valid general packet, marker bits stripped.
   const std::optional<std::vector<std::uint8_t>>& spm_general() const { return spm_general_; }
   bool was_answered() const { return was_answered_; }  // the SR's last complete turn
   // From the end of the SR's turn to the SPM's start bit, of the last answer; negative: spoke into the turn.
   std::optional<Time> answer_delay() const { return answer_delay_; }
+  std::optional<Time> answer_began_at() const { return answer_began_at_; }
   std::optional<Time> spoke_at() const { return spoke_at_; }  // start of the SPM's last byte
+  std::optional<Time> sr_turn_began_at() const { return sr_from_; }
+  Time last_byte_ended_at() const { return last_byte_ended_at_; }
   const std::vector<Packet>& spm_packets() const { return spm_packets_; }
 
  private:
@@ -62,7 +70,9 @@ class Facts : public Observer {
   std::optional<Time> sr_until_;  // end of its last byte so far
   std::optional<Time> spoke_at_;
   std::optional<Time> answer_delay_;
+  std::optional<Time> answer_began_at_;
   bool was_answered_ = false;
+  Time last_byte_ended_at_{};
 };
 
 }  // namespace simulation::report

@@ -80,7 +80,8 @@ void Listener::hear(const BusByte& byte) {
 
 void Listener::advance(Time now) {
   if (is_open_ && now - last_ >= longest_gap) {
-    give_up(fmt::format("incomplete: {} bytes, then silence", packet_.bytes.size()));
+    const auto count = packet_.bytes.size();
+    give_up(fmt::format("incomplete: {} {}, then silence", count, count == 1 ? "byte" : "bytes"));
   }
 }
 

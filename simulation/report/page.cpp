@@ -45,10 +45,14 @@ bool wants_colour(int file_descriptor) {
   return isatty(file_descriptor) != 0 && (refusal == nullptr || *refusal == '\0');
 }
 
-void Page::add(Time at, Tone tone, const std::string& text) {
+void Page::add_reader(std::ostream& out, Palette palette, bool wants_bus) {
+  readers_.push_back({&out, palette, wants_bus});
+}
+
+void Page::add(Time at, Source source, Tone tone, const std::string& text) {
   const auto place = std::upper_bound(waiting_.begin(), waiting_.end(), at,
                                       [](Time time, const Line& line) { return time < line.at; });
-  waiting_.insert(place, {at, tone, text});
+  waiting_.insert(place, {at, source, tone, text});
 }
 
 void Page::advance(Time now) {
@@ -57,13 +61,19 @@ void Page::advance(Time now) {
 
 void Page::finish() {
   print_until(Time::max());
-  out_.flush();
+  for (const Reader& reader : readers_) {
+    reader.out->flush();
+  }
 }
 
 void Page::print_until(Time limit) {
   auto line = waiting_.begin();
   for (; line != waiting_.end() && line->at <= limit; ++line) {
-    out_ << palette_.paint(line->tone, line->text) << '\n';
+    for (const Reader& reader : readers_) {
+      if (line->source == Source::story || reader.wants_bus) {
+        *reader.out << reader.palette.paint(line->tone, line->text) << '\n';
+      }
+    }
   }
   waiting_.erase(waiting_.begin(), line);
 }

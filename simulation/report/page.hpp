@@ -1,8 +1,7 @@
-// The lines of a run, in order of time, on a stream. Lines may come a little late (a packet is known when it
-// has ended); the page holds the newest back for a moment and sorts them in.
+// The lines of a run, in order of time, on one or more streams. Lines may come a little late (a packet is known
+// when it has ended); the page holds the newest back for a moment and sorts them in.
 #pragma once
 
-#include <functional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -28,9 +27,12 @@ bool wants_colour(int file_descriptor);
 
 class Page {
  public:
-  Page(std::ostream& out, Palette palette) : out_(out), palette_(palette) {}
+  enum class Source { story, bus };
 
-  void add(Time at, Tone tone, const std::string& text);
+  // Prints to `out` too, the bus only if wanted. `out` must outlive the page.
+  void add_reader(std::ostream& out, Palette palette, bool wants_bus);
+
+  void add(Time at, Source source, Tone tone, const std::string& text);
   // Prints what is older than `now` by more than any packet takes.
   void advance(Time now);
   void finish();
@@ -38,13 +40,18 @@ class Page {
  private:
   struct Line {
     Time at{};
+    Source source = Source::story;
     Tone tone = Tone::plain;
     std::string text;
   };
+  struct Reader {
+    std::ostream* out;
+    Palette palette;
+    bool wants_bus;
+  };
   void print_until(Time limit);
 
-  std::ostream& out_;
-  Palette palette_;
+  std::vector<Reader> readers_;
   std::vector<Line> waiting_;
 };
 

@@ -18,24 +18,24 @@ bool is_same(const BusByte& one, const BusByte& other) {
 }
 
 // One line a packet, with its bytes.
-std::string tell(const Side& side, const Transcript::Cycle* cycle) {
-  if (cycle == nullptr) {
-    return fmt::format("  {}: no such cycle\n", side.name);
-  }
-  std::string text = fmt::format("  {}{}:\n", side.name,
-                                 cycle->bytes.empty()
-                                     ? std::string()
-                                     : fmt::format(", from {:.4f} s", seconds(cycle->bytes.front().start)));
+std::string tell(const Transcript::Cycle& cycle) {
+  std::string text;
   Listener listener([&](const Packet& packet) {
     const Decoded decoded = decode(packet);
-    text += fmt::format("    {:<5} {:<30} {}  {}\n", name_of(packet.sender), hex(packet.bytes), decoded.name,
-                        packet.kind == Packet::Kind::packet ? describe(decoded) : packet.flaw);
+    const std::string said = packet.kind == Packet::Kind::packet ? describe(decoded) : packet.flaw;
+    text += fmt::format("    {:9.4f} s  {:<5} {:<30} {}{}{}\n", seconds(packet.start), name_of(packet.sender),
+                        hex(packet.bytes), decoded.name, said.empty() ? "" : ": ", said);
   });
-  for (const BusByte& byte : cycle->bytes) {
+  for (const BusByte& byte : cycle.bytes) {
     listener.hear(byte);
   }
   listener.advance(Time::max());
   return text;
+}
+
+std::string tell(const Side& side, std::size_t place) {
+  const auto& cycles = side.transcript.cycles();
+  return fmt::format("  {}:\n{}", side.name, place < cycles.size() ? tell(cycles[place]) : "    no such cycle\n");
 }
 
 }  // namespace
@@ -71,6 +71,15 @@ std::uint64_t Transcript::hash() const {
   return hash;
 }
 
+std::string tell_last_cycles(const Transcript& transcript, std::size_t count) {
+  const auto& cycles = transcript.cycles();
+  std::string text;
+  for (std::size_t i = cycles.size() - std::min(count, cycles.size()); i < cycles.size(); ++i) {
+    text += tell(cycles[i]);
+  }
+  return text;
+}
+
 std::optional<std::string> first_difference(const Side& one, const Side& other) {
   const auto& left = one.transcript.cycles();
   const auto& right = other.transcript.cycles();
@@ -81,7 +90,7 @@ std::optional<std::string> first_difference(const Side& one, const Side& other) 
         std::equal(here->bytes.begin(), here->bytes.end(), there->bytes.begin(), there->bytes.end(), is_same)) {
       continue;
     }
-    return fmt::format("cycle {} differs\n{}{}", i, tell(one, here), tell(other, there));
+    return fmt::format("cycle {} differs\n{}{}", i, tell(one, i), tell(other, i));
   }
   return std::nullopt;
 }

@@ -33,6 +33,9 @@ class Transcript : public Observer {
   std::optional<Time> sr_until_;
 };
 
+// The last `count` cycles, one line a packet.
+std::string tell_last_cycles(const Transcript& transcript, std::size_t count);
+
 // Where two transcripts part for the first time, in words with both sides decoded; nothing if they agree.
 struct Side {
   std::string name;  // "avr", "host"

@@ -10,8 +10,8 @@
 namespace simulation::scenario {
 namespace {
 
-constexpr double standstill = 0.01;     // m/s
-constexpr double no_turning = 1.0;      // degrees a second
+constexpr double standstill = 0.01;  // m/s
+constexpr double no_turning = 1.0;   // degrees a second
 
 using Test = std::function<bool(const Facts&, const Anchor&)>;
 
@@ -61,9 +61,12 @@ void add_motion(std::vector<ConditionWord>& words) {
                    gauge(Measure::share, [](const Facts& f) { return f.largest_duty(); })});
   words.push_back(
       {"brakes", "engaged", "the park brakes; 'mixed' while one is released and the other is not",
-       Choice{{{"engaged", when([](const Facts& f) { return !f.pins().left_brake_release && !f.pins().right_brake_release; })},
-               {"released", when([](const Facts& f) { return f.pins().left_brake_release && f.pins().right_brake_release; })},
-               {"mixed", when([](const Facts& f) { return f.pins().left_brake_release != f.pins().right_brake_release; })}}}});
+       Choice{{{"engaged",
+                when([](const Facts& f) { return !f.pins().left_brake_release && !f.pins().right_brake_release; })},
+               {"released",
+                when([](const Facts& f) { return f.pins().left_brake_release && f.pins().right_brake_release; })},
+               {"mixed",
+                when([](const Facts& f) { return f.pins().left_brake_release != f.pins().right_brake_release; })}}}});
 }
 
 void add_pins(std::vector<ConditionWord>& words) {
@@ -84,10 +87,9 @@ void add_pins(std::vector<ConditionWord>& words) {
 void add_talk(std::vector<ConditionWord>& words) {
   words.push_back({"answered", "yes", "the remote's last complete turn got an answer",
                    yes_or_no(when([](const Facts& f) { return f.was_answered(); }))});
-  words.push_back({"silent", "yes", "the power module has sent nothing since the step began",
-                   yes_or_no([](const Facts& f, const Anchor& since) {
-                     return !f.spoke_at() || *f.spoke_at() < since.at;
-                   })});
+  words.push_back(
+      {"silent", "yes", "the power module has sent nothing since the step began",
+       yes_or_no([](const Facts& f, const Anchor& since) { return !f.spoke_at() || *f.spoke_at() < since.at; })});
   words.push_back({"answer delay", "< 100us", "from the end of the remote's turn to the answer's first edge",
                    Gauge{Measure::time, answer_delay}});
   words.push_back({"SPM sends", "settings",
@@ -126,9 +128,9 @@ ConditionWord report_word(const report::FieldRow& field) {
       return {field.name, "Shark cable fault", meaning + "; a name or its number", report_state(field)};
     default:
       return {field.name, "> 5", meaning, Gauge{Measure::count, [&field](const Facts& facts, const Anchor&) {
-                const auto value = reported(facts, field);
-                return value ? std::optional<double>(*value) : std::nullopt;
-              }}};
+                                                  const auto value = reported(facts, field);
+                                                  return value ? std::optional<double>(*value) : std::nullopt;
+                                                }}};
   }
 }
 

@@ -87,12 +87,22 @@ std::optional<Action> drop(const YAML::Node& value, Table& fault, Problems& prob
   return disturb;
 }
 
-std::optional<Action> babble(const YAML::Node& value, Table&, Problems& problems) {
-  Table map(value, "babble", problems);
+// {for: 200ms}
+std::optional<Time> read_span(const YAML::Node& value, const std::string& what, Problems& problems) {
+  Table map(value, what, problems);
   const auto span = map.need("for");
   map.done();
-  const auto time = span ? read_time(*span, problems) : std::nullopt;
+  return span ? read_time(*span, problems) : std::nullopt;
+}
+
+std::optional<Action> babble(const YAML::Node& value, Table&, Problems& problems) {
+  const auto time = read_span(value, "babble", problems);
   return time ? std::optional<Action>(Babble{*time}) : std::nullopt;
+}
+
+std::optional<Action> wake_pulse(const YAML::Node& value, Table&, Problems& problems) {
+  const auto time = read_span(value, "wake pulse", problems);
+  return time ? std::optional<Action>(WakePulse{*time}) : std::nullopt;
 }
 
 }  // namespace
@@ -106,7 +116,10 @@ const std::vector<FaultWord>& fault_words() {
        "one bit of one byte (0 = start byte) of the next packets of that kind", flip},
       {"drop", "fault: {drop: SR TF, count: 1}", "one byte (byte: 0, if not said) of the next packets of that kind",
        drop},
-      {"babble", "fault: {babble: {for: 200ms}}", "random characters back to back, from the scenario's seed; the step does not wait", babble},
+      {"babble", "fault: {babble: {for: 200ms}}",
+       "random characters back to back, from the scenario's seed; the step does not wait", babble},
+      {"wake pulse", "fault: {wake pulse: {for: 200ms}}",
+       "SBH above 12 V, nothing can be heard; the step does not wait", wake_pulse},
   };
   return words;
 }
@@ -130,8 +143,8 @@ std::optional<Action> parse_fault(const YAML::Node& node, Problems& problems) {
   const auto row = std::find_if(fault_words().begin(), fault_words().end(),
                                 [&](const FaultWord& word) { return word.word == pairs.front().key; });
   if (row == fault_words().end()) {
-    problems.add(pairs.front().key_node, fmt::format("unknown fault '{}'{}", pairs.front().key,
-                                                     suggest(pairs.front().key, known)));
+    problems.add(pairs.front().key_node,
+                 fmt::format("unknown fault '{}'{}", pairs.front().key, suggest(pairs.front().key, known)));
     return std::nullopt;
   }
   Table fault(node, fmt::format("fault '{}'", row->word), problems);

@@ -45,8 +45,8 @@ void drive_off(std::vector<Step>& steps, Mark mark, const std::string& given, co
   }
   steps.push_back(make(mark, given, *set));
   steps.push_back(make(mark, given, Wait{speeding_up - default_deadline}));
-  steps.push_back(
-      make(mark, given, Expect{conditions("{chair: moving, motors: driving, brakes: released}", mark), default_deadline}));
+  steps.push_back(make(
+      mark, given, Expect{conditions("{chair: moving, motors: driving, brakes: released}", mark), default_deadline}));
 }
 
 }  // namespace

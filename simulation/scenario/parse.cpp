@@ -116,7 +116,7 @@ Scenario parse_root(const YAML::Node& root, const std::string& file, Problems& p
   Scenario scenario;
   scenario.file = file;
   if (!root.IsMap()) {
-    problems.add(Mark{}, "a scenario is a map with the keys name, spec, given, steps (see docs/scenarios.md)");
+    problems.add(Mark{}, "a scenario is a map with the keys name, spec, given, steps (see docs/simulation.md)");
     return scenario;
   }
   Table table(root, "a scenario", problems);

@@ -18,11 +18,11 @@ struct Unit {
 
 // The first unit of a measure is the one that complaints suggest.
 constexpr std::array units{
-    Unit{Measure::time, "ms", 1e-3},     Unit{Measure::time, "us", 1e-6},       Unit{Measure::time, "s", 1},
-    Unit{Measure::speed, "m/s", 1},      Unit{Measure::speed, "km/h", 1 / 3.6}, Unit{Measure::length, "cm", 1e-2},
-    Unit{Measure::length, "mm", 1e-3},   Unit{Measure::length, "m", 1},         Unit{Measure::angle, "deg", 1},
+    Unit{Measure::time, "ms", 1e-3},      Unit{Measure::time, "us", 1e-6},       Unit{Measure::time, "s", 1},
+    Unit{Measure::speed, "m/s", 1},       Unit{Measure::speed, "km/h", 1 / 3.6}, Unit{Measure::length, "cm", 1e-2},
+    Unit{Measure::length, "mm", 1e-3},    Unit{Measure::length, "m", 1},         Unit{Measure::angle, "deg", 1},
     Unit{Measure::turn_rate, "deg/s", 1}, Unit{Measure::voltage, "V", 1},        Unit{Measure::current, "A", 1},
-    Unit{Measure::share, "%", 1e-2},     Unit{Measure::count, "", 1},
+    Unit{Measure::share, "%", 1e-2},      Unit{Measure::count, "", 1},
 };
 
 const Unit& first_unit(Measure measure) {
@@ -149,9 +149,9 @@ std::variant<Comparison, Complaint> parse_comparison(const std::string& text, Me
     std::string_view word;
     Operator op;
   };
-  constexpr std::array signs{Sign{"<=", Operator::at_most}, Sign{">=", Operator::at_least},
+  constexpr std::array signs{Sign{"<=", Operator::at_most},   Sign{">=", Operator::at_least},
                              Sign{"!=", Operator::not_equal}, Sign{"==", Operator::equal},
-                             Sign{"<", Operator::less},     Sign{">", Operator::more},
+                             Sign{"<", Operator::less},       Sign{">", Operator::more},
                              Sign{"=", Operator::equal}};
   std::string_view rest = trim(text);
   Comparison comparison;

@@ -10,15 +10,15 @@ namespace simulation::scenario {
 
 // What a number measures; each has a unit in which its value is kept.
 enum class Measure {
-  count,     // no unit
-  time,      // s, ms, us; kept in seconds
-  speed,     // m/s, km/h; kept in m/s
-  length,    // m, cm, mm; kept in m
-  angle,     // deg; kept in degrees
+  count,      // no unit
+  time,       // s, ms, us; kept in seconds
+  speed,      // m/s, km/h; kept in m/s
+  length,     // m, cm, mm; kept in m
+  angle,      // deg; kept in degrees
   turn_rate,  // deg/s; kept in degrees a second
-  voltage,   // V; kept in V
-  current,   // A; kept in A
-  share,     // %; kept as a fraction of 1
+  voltage,    // V; kept in V
+  current,    // A; kept in A
+  share,      // %; kept as a fraction of 1
 };
 
 // "a time such as 60ms"

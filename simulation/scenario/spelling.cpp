@@ -33,7 +33,7 @@ std::string suggest(const std::string& word, const std::vector<std::string>& kno
   if (nearest == known.end()) {
     return "";
   }
-  if (edit_distance(word, *nearest) <= std::max<std::size_t>(1, nearest->size() / 3)) {
+  if (edit_distance(word, *nearest) <= std::max<std::size_t>({1, nearest->size() / 3, word.size() / 3})) {
     return fmt::format(" (did you mean '{}'?)", *nearest);
   }
   return fmt::format(" (known: {})", fmt::join(known, ", "));

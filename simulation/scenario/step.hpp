@@ -28,6 +28,7 @@ struct Note {  // a remark in the log
 struct Wait {
   Time span{};
 };
+struct WaitForMidCycle {};  // to 12 ms after the begin of the remote's turn: the bus is quiet
 struct PressPower {
   Time span{};
 };
@@ -76,6 +77,9 @@ struct Disturb {  // of the next `count` packets of one kind
 struct Babble {  // random characters, back to back
   Time span{};
 };
+struct WakePulse {  // SBH above 12 V
+  Time span{};
+};
 
 struct Slope {
   double degrees = 0;
@@ -85,8 +89,8 @@ struct Battery {
 };
 enum class Reset { watchdog, brown_out, external };
 
-using Action = std::variant<Say, Note, Wait, PressPower, SetControls, SetRemote, Expect, Hold, Never, Send, StopSending,
-                            CutCable, MendCable, Disturb, Babble, Slope, Battery, Reset>;
+using Action = std::variant<Say, Note, Wait, WaitForMidCycle, PressPower, SetControls, SetRemote, Expect, Hold, Never,
+                            Send, StopSending, CutCable, MendCable, Disturb, Babble, WakePulse, Slope, Battery, Reset>;
 
 struct Step {
   Mark mark;

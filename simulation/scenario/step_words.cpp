@@ -26,6 +26,9 @@ Parsed parse_note(const YAML::Node& value, Table&, Problems& problems) {
 }
 
 Parsed parse_wait(const YAML::Node& value, Table&, Problems& problems) {
+  if (value.IsScalar() && value.Scalar() == "mid-cycle") {
+    return WaitForMidCycle{};
+  }
   return made_of<Wait>(read_time(value, problems));
 }
 
@@ -170,7 +173,8 @@ const std::vector<StepWord>& step_words() {
       {"remote", "remote: {period: 66ms}",
        "the remote itself: silent or talks; talks, period, general length, power-up length, version, capabilities",
        parse_remote},
-      {"wait", "wait: 60ms", "lets time pass", parse_wait},
+      {"wait", "wait: 60ms", "lets time pass; 'wait: mid-cycle' until 12 ms after the begin of the remote's turn",
+       parse_wait},
       {"expect", "expect: {motors: stopped, brakes: engaged}\n  within: 300ms",
        "all of it true at one moment before the deadline (100ms if not said); the step always lasts to the deadline",
        parse_expect},

@@ -1,0 +1,78 @@
+// pilotfish: plays scenarios on the simulated chair.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <iostream>
+
+#include "simulation/scenario/batch.hpp"
+#include "simulation/scenario/lexicon.hpp"
+
+namespace {
+
+using namespace simulation;
+
+constexpr const char* version = "pilotfish 0.1.0";
+constexpr int exit_bad_usage = 2;
+
+constexpr const char* examples = R"(Examples
+  pilotfish run simulation/scenarios/first_drive.yaml --log
+      the flashed image drives the chair: story, decoded bus and a table of numbers
+  pilotfish run simulation/scenarios/*.yaml --on both
+      every scenario on the image in simavr and on the host build; their bus transcripts must agree
+  pilotfish run simulation/scenarios/first_drive.yaml --out build/first_drive
+      also writes a plot (SVG), a waveform (VCD for GTKWave, PulseView, sigrok-cli) and the full log
+  pilotfish list-steps
+      the words of the scenario language, with units and examples
+
+Exit codes
+  0  everything as expected    1  an expectation was not met, or the machines disagree
+  2  a file or the command line is wrong    3  the simulation itself failed)";
+
+// Beside this program, where the build puts the image: build/pilotfish and build/firmware/spm.elf.
+std::string default_image() {
+  std::error_code none;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
+  return (program.parent_path() / "firmware" / "spm.elf").string();
+}
+
+void add_run(CLI::App& app, scenario::Order& order) {
+  auto* run = app.add_subcommand("run", "Plays scenario files and tells whether all expectations were met");
+  run->add_option("file", order.files, "Scenario files (YAML)")->required();
+  run->add_option("--on", order.on, "avr: the image in simavr; host: the same code, native; both: and compare")
+      ->check(CLI::IsMember({"avr", "host", "both"}))
+      ->capture_default_str();
+  run->add_option("--image", order.image, "The image for avr, ELF or HEX")->capture_default_str();
+  run->add_option("--out", order.folder, "Writes plot, waveform and log of each run into this folder");
+  run->add_option("--seed", order.seed, "For everything random; overrides the file's");
+  run->add_flag("--log", order.wants_log, "Prints the bus, decoded");
+  run->add_flag("-q,--quiet", order.is_quiet, "One line a file, even for a single one");
+  run->add_flag("-v,--verbose", order.is_verbose, "Tells on stderr how fast the simulation was");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Pilotfish: a simulated power wheelchair around the firmware of its power module");
+  app.set_version_flag("--version", version);
+  app.require_subcommand(1);
+  app.footer(examples);
+
+  scenario::Order order;
+  order.image = default_image();
+  order.palette = report::Palette(report::wants_colour(STDOUT_FILENO));
+  add_run(app, order);
+  app.add_subcommand("list-steps", "Prints every step, condition and fault of the scenario language");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : exit_bad_usage;
+  }
+  if (app.got_subcommand("list-steps")) {
+    std::cout << scenario::tell_lexicon();
+    return 0;
+  }
+  return scenario::play_all(order, std::cout, std::cerr);
+}

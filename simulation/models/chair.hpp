@@ -1,0 +1,67 @@
+// The body around the power module: battery, two motors, brakes, lamps, actuators, chair and driver on the
+// ground. Pins go in, movement and the eight analog voltages come out.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "simulation/board/spm_board.hpp"
+#include "simulation/models/battery.hpp"
+#include "simulation/models/motor.hpp"
+#include "simulation/models/park_brake.hpp"
+#include "simulation/time.hpp"
+
+namespace simulation {
+
+struct ChairState {
+  double speed = 0;       // m/s over ground, forward positive
+  double turn_rate = 0;   // rad/s, to the right positive
+  double position = 0;    // m along the way, forward positive
+  double heading = 0;     // rad, to the right positive
+  double left_wheel = 0;  // m/s at the tread, forward positive
+  double right_wheel = 0;
+  double left_current = 0;  // A, forward positive
+  double right_current = 0;
+  double left_volts = 0;  // at the motor; 0 also while its circuit is open
+  double right_volts = 0;
+  double battery_volts = 0;    // at the terminals
+  double battery_current = 0;  // A, out of the battery
+  bool left_brake_engaged = true;
+  bool right_brake_engaged = true;
+};
+
+class Chair {
+ public:
+  Chair();
+
+  void apply(const Pins& pins) { pins_ = pins; }
+  void step(Time dt);  // 1 ms; stable up to several
+
+  const ChairState& state() const { return state_; }
+  std::array<double, 8> analog_volts() const;  // ADC0 first, 0 to 5 V
+
+  void set_slope(double degrees) { slope_ = degrees; }  // rises ahead of the chair: positive
+  void set_driver_mass(double kilograms) { driver_mass_ = kilograms; }
+  void set_battery_voltage(double volts) { battery_.force_open_circuit(volts); }
+  void set_battery(double volts) { set_battery_voltage(volts); }
+  void set_position(double metres) { state_.position = metres; }
+
+ private:
+  double bridge_duty(bool is_forward, std::uint16_t duty) const;
+  double coil_current() const;
+  double actuator_current() const;
+  double load_current() const;
+  void feed_motors(Time dt);
+  void move(double dt);
+
+  Pins pins_;
+  ChairState state_;
+  Battery battery_;
+  Motor motor_;  // both are alike
+  ParkBrake left_brake_;
+  ParkBrake right_brake_;
+  double slope_ = 0;
+  double driver_mass_ = 100;
+};
+
+}  // namespace simulation

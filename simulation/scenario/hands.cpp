@@ -1,0 +1,226 @@
+#include "simulation/scenario/hands.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "simulation/report/decode.hpp"
+#include "simulation/report/packet.hpp"
+#include "simulation/scenario/quantity.hpp"
+
+namespace simulation::scenario {
+namespace {
+
+struct SwitchRow {
+  bool RemoteControls::*member;
+  const char* on;
+  const char* off;
+};
+
+constexpr std::array switches{
+    SwitchRow{&RemoteControls::power_button, "the driver presses the power button",
+              "the driver lets go of the power button"},
+    SwitchRow{&RemoteControls::horn, "the driver sounds the horn", "the driver ends the horn"},
+    SwitchRow{&RemoteControls::lock, "the driver locks the chair", "the driver unlocks the chair"},
+    SwitchRow{&RemoteControls::hazard, "the driver asks for the hazard light", "the driver ends the hazard light"},
+    SwitchRow{&RemoteControls::left_indicator, "the driver indicates left", "the driver ends the left indicator"},
+    SwitchRow{&RemoteControls::right_indicator, "the driver indicates right", "the driver ends the right indicator"},
+    SwitchRow{&RemoteControls::headlight, "the driver asks for the headlight", "the driver ends the headlight"},
+    SwitchRow{&RemoteControls::joystick_error, "the remote reports a joystick error", "the joystick error is over"},
+    SwitchRow{&RemoteControls::pot_error, "the remote reports a pot error", "the pot error is over"},
+    SwitchRow{&RemoteControls::local_fault, "the remote reports a fault of its own", "the remote's fault is over"},
+    SwitchRow{&RemoteControls::non_critical_fault, "the remote reports a non-critical fault",
+              "the remote's non-critical fault is over"},
+    SwitchRow{&RemoteControls::charger_inhibit, "a charger is plugged in", "the charger is unplugged"},
+    SwitchRow{&RemoteControls::remote_inhibit, "the remote forbids driving", "the remote allows driving"},
+    SwitchRow{&RemoteControls::calibration_active, "joystick calibration begins", "joystick calibration ends"},
+    SwitchRow{&RemoteControls::hhp_may_send, "the programmer's tunnel is open", "the programmer's tunnel is shut"},
+};
+
+constexpr int neutral = RemoteControls{}.speed;
+
+bool is_stick_at(const RemoteControls& controls, int speed, int direction) {
+  return controls.speed == speed && controls.direction == direction;
+}
+
+std::vector<std::string> tell_changes(const RemoteControls& before, const RemoteControls& now) {
+  std::vector<std::string> deeds;
+  if (!is_stick_at(now, before.speed, before.direction)) {
+    deeds.emplace_back(is_stick_at(now, neutral, neutral) ? "the driver lets go of the stick"
+                                                          : "the driver moves the stick");
+  }
+  if (now.pot != before.pot) {
+    deeds.emplace_back("the driver turns the speed pot");
+  }
+  for (const SwitchRow& row : switches) {
+    if (now.*row.member != before.*row.member) {
+      deeds.emplace_back(now.*row.member ? row.on : row.off);
+    }
+  }
+  if (now.mode != before.mode) {
+    deeds.push_back(fmt::format("the remote asks for mode {}", now.mode));
+  }
+  return deeds;
+}
+
+std::string join(const std::vector<std::string>& deeds) {
+  return fmt::format("{}", fmt::join(deeds, ", "));
+}
+
+std::string show_time(Time time) {
+  return show(seconds(time), Measure::time);
+}
+
+// "the next 3 SR generals"
+std::string name_of_victims(const Disturb& disturb) {
+  const auto* packet = report::find_packet(disturb.start_nibble);
+  const std::string name = report::name_of(disturb.sender) + " " + (packet == nullptr ? "TF" : packet->name);
+  if (disturb.count == 1) {
+    return "the next " + name;
+  }
+  return fmt::format("the next {} {}{}", disturb.count, name, name.ends_with('s') ? "" : "s");
+}
+
+Disturbance disturbance_of(const Disturb& disturb) {
+  Disturbance disturbance;
+  switch (disturb.way) {
+    case Disturb::Way::corrupt_checksum:
+      disturbance.way = Disturbance::Way::corrupt_checksum;
+      break;
+    case Disturb::Way::flip_bit:
+      disturbance.way = Disturbance::Way::flip_bit;
+      break;
+    case Disturb::Way::drop:
+      disturbance.way = Disturbance::Way::drop;
+      break;
+  }
+  disturbance.sender = disturb.sender;
+  disturbance.type = disturb.start_nibble;
+  disturbance.byte = disturb.byte;
+  disturbance.bit = disturb.bit;
+  disturbance.count = disturb.count;
+  return disturbance;
+}
+
+}  // namespace
+
+std::string Hands::press_power(bool down) {
+  world_.remote().controls.power_button = down;
+  if (!down) {
+    return "";
+  }
+  world_.remote().start(world_.now());
+  return "the driver presses the power button";
+}
+
+std::string Hands::apply(const SetControls& controls) {
+  RemoteControls& now = world_.remote().controls;
+  const RemoteControls before = now;
+  for (const auto& change : controls.changes) {
+    change(now);
+  }
+  return join(tell_changes(before, now));
+}
+
+std::string Hands::apply(const SetRemote& changes) {
+  Remote& remote = world_.remote();
+  std::vector<std::string> deeds;
+  if (changes.talks && *changes.talks == remote.is_silent) {
+    remote.is_silent = !*changes.talks;
+    deeds.emplace_back(*changes.talks ? "the remote talks again" : "the remote falls silent");
+  }
+  if (changes.period) {
+    remote.timing.period = *changes.period;
+    deeds.push_back(fmt::format("the remote sends every {}", show_time(*changes.period)));
+  }
+  for (const auto& change : changes.changes) {
+    change(remote.identity);
+  }
+  if (!changes.changes.empty()) {
+    deeds.emplace_back("the remote is of another kind");
+  }
+  return join(deeds);
+}
+
+std::string Hands::apply(const CutCable&) {
+  world_.wire().cut(world_.now());
+  return "the cable is cut";
+}
+
+std::string Hands::apply(const MendCable&) {
+  world_.wire().mend(world_.now());
+  return "the cable is mended";
+}
+
+std::string Hands::apply(const Disturb& disturb) {
+  world_.wire().disturb(disturbance_of(disturb));
+  const std::string victims = name_of_victims(disturb);
+  switch (disturb.way) {
+    case Disturb::Way::corrupt_checksum:
+      return fmt::format("noise changes the checksum of {}", victims);
+    case Disturb::Way::flip_bit:
+      return fmt::format("noise flips bit {} of byte {} of {}", disturb.bit, disturb.byte, victims);
+    case Disturb::Way::drop:
+      break;
+  }
+  return disturb.start_nibble == bus::shark::transmit_finished
+             ? fmt::format("noise swallows {}", victims)
+             : fmt::format("noise swallows byte {} of {}", disturb.byte, victims);
+}
+
+std::string Hands::apply(const Babble& babble) {
+  world_.wire().babble(world_.now(), babble.span);
+  return fmt::format("somebody babbles on the bus for {}", show_time(babble.span));
+}
+
+std::string Hands::apply(const WakePulse& pulse) {
+  world_.wire().pulse_wake(world_.now(), pulse.span);
+  return fmt::format("SBH is pulled up for {}", show_time(pulse.span));
+}
+
+std::string Hands::apply(const Slope& slope) {
+  world_.chair().set_slope(slope.degrees);
+  return fmt::format("the ground is at {}", show(slope.degrees, Measure::angle));
+}
+
+std::string Hands::apply(const Battery& battery) {
+  world_.chair().set_battery_voltage(battery.volts);
+  return fmt::format("the batteries have {}", show(battery.volts, Measure::voltage));
+}
+
+std::string Hands::apply(const Reset& reset) {
+  switch (reset) {
+    case Reset::watchdog:
+      world_.board().reset(ResetKind::watchdog, world_.now());
+      return "the watchdog bites";
+    case Reset::brown_out:
+      world_.board().reset(ResetKind::brown_out, world_.now());
+      return "a brown-out resets the chip";
+    case Reset::external:
+      world_.board().reset(ResetKind::external, world_.now());
+      return "somebody resets the chip";
+  }
+  return "";
+}
+
+void Hands::begin_sending(const Send& send) {
+  const Time due = sending_ ? sending_->due : world_.now();
+  sending_ = Sending{send, due, send.times.value_or(0)};
+}
+
+std::optional<Time> Hands::next_due() const {
+  return sending_ ? std::optional(sending_->due) : std::nullopt;
+}
+
+void Hands::send_if_due() {
+  if (!sending_ || world_.now() < sending_->due) {
+    return;
+  }
+  world_.wire().send(sending_->what.as, sending_->what.bytes, world_.now());
+  sending_->due += sending_->what.every;
+  if (sending_->what.times && --sending_->left == 0) {
+    sending_.reset();
+  }
+}
+
+}  // namespace simulation::scenario

@@ -1,0 +1,134 @@
+#include "simulation/scenario/session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "simulation/board/avr_board.hpp"
+#include "simulation/board/host_board.hpp"
+#include "simulation/report/story.hpp"
+#include "simulation/report/table.hpp"
+#include "simulation/scenario/record.hpp"
+#include "simulation/scenario/runner.hpp"
+
+namespace simulation::scenario {
+namespace {
+
+constexpr std::uint64_t default_seed = 1;
+constexpr std::size_t cycles_in_report = 4;
+
+std::unique_ptr<SpmBoard> make_board(const Request& request) {
+  if (request.board == "host") {
+    return make_host_board();
+  }
+  AvrBoardOptions options;
+  options.image = request.image;
+  return make_avr_board(options);
+}
+
+bool can_judge(const Scenario& scenario, const std::string& board) {
+  return scenario.needs.empty() ||
+         std::find(scenario.needs.begin(), scenario.needs.end(), board) != scenario.needs.end();
+}
+
+std::string tell_failure(const Scenario& scenario, const Request& request, const Failure& failure,
+                         const report::Transcript& transcript) {
+  std::string text =
+      fmt::format("{}: expectation not met at {:.3f} s on {}\n", show(scenario.file, {failure.mark, scenario.name}),
+                  seconds(failure.at), request.board);
+  text += fmt::format("  expected  {}\n  seen      {}\n", failure.expected, failure.seen);
+  text += fmt::format("  clauses   {}\n  the bus at last\n{}", fmt::join(scenario.spec, ", "),
+                      report::tell_last_cycles(transcript, cycles_in_report));
+  text += fmt::format("  again     pilotfish run {} --on {} --log{}\n", scenario.file, request.board,
+                      request.seed ? fmt::format(" --seed {}", *request.seed) : "");
+  return text;
+}
+
+std::string tell_complaints(const std::vector<std::string>& complaints) {
+  return fmt::format("the board complains:\n  {}\n", fmt::join(complaints, "\n  "));
+}
+
+// Everybody who watches one run, wired up in the order in which they must be told.
+struct Watchers {
+  Watchers(const Scenario& scenario, const Request& request, World& world, report::Transcript& transcript,
+           std::ostream& out)
+      : facts(world), log(page), story(facts, page, log) {
+    world.observe(transcript);
+    world.observe(facts);
+    // Words cost time: they are made only for somebody who reads them.
+    if (request.wants_log || request.folder) {
+      world.observe(log);
+    }
+    if (request.wants_story || request.wants_log || request.folder) {
+      world.observe(story);
+    }
+    if (request.wants_story || request.wants_log) {
+      page.add_reader(out, request.palette, request.wants_log);
+    }
+    if (request.folder) {
+      record = std::make_unique<Record>(scenario, facts, page, world);
+    }
+  }
+
+  void finish() {
+    log.finish();
+    page.finish();
+  }
+
+  report::Facts facts;
+  report::Page page;
+  report::BusLog log;
+  report::Story story;
+  std::unique_ptr<Record> record;
+};
+
+void judge(const Scenario& scenario, const Request& request, const std::optional<Failure>& failure, World& world,
+           Result& result) {
+  const auto complaints = world.board().statistics().complaints;
+  if (!complaints.empty()) {
+    result.verdict = Verdict::broken;
+    result.report = tell_complaints(complaints);
+  }
+  if (failure) {
+    result.verdict = complaints.empty() ? Verdict::failed : Verdict::broken;
+    result.report += tell_failure(scenario, request, *failure, result.transcript);
+  } else if (complaints.empty()) {
+    result.verdict = Verdict::passed;
+  }
+}
+
+void play_into(Result& result, const Scenario& scenario, const Request& request, std::ostream& out) {
+  World world(make_board(request), request.seed.value_or(scenario.seed.value_or(default_seed)));
+  Watchers watchers(scenario, request, world, result.transcript, out);
+  const auto failure = Runner(scenario, world, watchers.facts, watchers.story).run();
+  watchers.finish();
+  result.simulated = world.now();
+  if (request.wants_story) {
+    out << '\n' << report::make_table(watchers.story, result.transcript, world);
+  }
+  if (watchers.record) {
+    watchers.record->write(*request.folder, watchers.story, result.files, result.remarks);
+  }
+  judge(scenario, request, failure, world, result);
+}
+
+}  // namespace
+
+Result play(const Scenario& scenario, const Request& request, std::ostream& out) {
+  Result result;
+  if (!can_judge(scenario, request.board)) {
+    result.verdict = Verdict::skipped;
+    result.report = fmt::format("needs {}", fmt::join(scenario.needs, " or "));
+    return result;
+  }
+  try {
+    play_into(result, scenario, request, out);
+  } catch (const std::exception& error) {
+    result.verdict = Verdict::broken;
+    result.report = fmt::format("{}: simulation error on {}: {}\n", scenario.file, request.board, error.what());
+  }
+  return result;
+}
+
+}  // namespace simulation::scenario

@@ -1,0 +1,179 @@
+#include "simulation/wire.hpp"
+
+#include <algorithm>
+
+namespace simulation {
+namespace {
+
+constexpr Time nominal_bit = CharacterFormat{}.bit;
+constexpr Time memory = 1ms;  // longer than any character
+
+}  // namespace
+
+void Wire::attach(WireEnd end, WireNode& node) {
+  Ear& ear = ears_[static_cast<std::size_t>(end)];
+  ear.node = &node;
+  ear.end = end;
+}
+
+void Wire::send(Sender sender, std::uint8_t value, Time start, const CharacterFormat& format) {
+  Character character{sender, value, value, false, start, format};
+  faults_.pass(character);
+  line_.add(character);
+  for (Ear& ear : ears_) {
+    if (start < ear.edge) {
+      seek(ear);
+    }
+  }
+}
+
+void Wire::send(Sender sender, const std::vector<std::uint8_t>& values, Time start) {
+  const CharacterFormat format;
+  for (const std::uint8_t value : values) {
+    send(sender, value, start, format);
+    start += format.length();
+  }
+}
+
+void Wire::hold_wake(bool asserted, Time now) {
+  is_wake_held_ = asserted;
+  set_wake(now);
+}
+
+void Wire::pulse_wake(Time now, Time span) {
+  pulse_until_ = now + span;
+  set_wake(now);
+}
+
+void Wire::set_wake(Time now) {
+  const bool is_asserted = is_wake_held_ || pulse_until_ != never;
+  if (is_asserted == is_wake_asserted()) {
+    return;
+  }
+  if (is_asserted) {
+    line_.wake.begin(now);
+  } else {
+    line_.wake.finish(now);
+  }
+  seek_anew(now);
+  if (tell_wake_) {
+    tell_wake_(is_asserted, now);
+  }
+}
+
+void Wire::cut(Time now) {
+  if (!is_cut()) {
+    line_.cut.begin(now);
+    seek_anew(now);
+  }
+}
+
+void Wire::mend(Time now) {
+  if (is_cut()) {
+    line_.cut.finish(now);
+    seek_anew(now);
+  }
+}
+
+void Wire::babble(Time now, Time span) {
+  if (babble_at_ == never) {
+    babble_at_ = now;
+  }
+  babble_until_ = now + span;
+}
+
+void Wire::babble_on() {
+  const Time start = babble_at_;
+  babble_at_ += CharacterFormat{}.length();
+  if (babble_at_ >= babble_until_) {
+    babble_at_ = never;
+  }
+  send(Sender::noise, static_cast<std::uint8_t>(random_()), start);
+}
+
+Time Wire::next_time() const {
+  return std::min(std::min(ears_[0].due, ears_[1].due), std::min(babble_at_, pulse_until_));
+}
+
+void Wire::advance(Time now) {
+  for (Time next = next_time(); next <= now; next = next_time()) {
+    if (babble_at_ == next) {
+      babble_on();
+    }
+    for (Ear& ear : ears_) {
+      if (ear.due == next) {
+        finish_character(ear);
+      }
+    }
+    if (pulse_until_ == next) {
+      pulse_until_ = never;
+      set_wake(next);
+    }
+  }
+  report_until(now);
+}
+
+// ---- the receivers
+
+void Wire::seek(Ear& ear) const {
+  if (ear.node == nullptr) {
+    return;
+  }
+  ear.edge = line_.first_edge(ear.end, ear.listens_from);
+  ear.due = never;
+  if (ear.edge != never) {
+    ear.bit = ear.node->bit_time();
+    ear.due = sampled_by(ear.edge, ear.bit);
+  }
+}
+
+// The line has changed from now on. An edge that has been is kept: its character is being sampled.
+void Wire::seek_anew(Time now) {
+  for (Ear& ear : ears_) {
+    if (ear.edge >= now) {
+      ear.listens_from = std::max(ear.listens_from, now);
+      seek(ear);
+    }
+  }
+}
+
+void Wire::finish_character(Ear& ear) {
+  const auto reception = line_.sample(ear.end, ear.edge, ear.bit);
+  const bool is_heard = reception && !line_.wake.holds_at(ear.due);  // SB-1.3
+  ear.listens_from = reception ? ear.due : confirmed_by(ear.edge, ear.bit);
+  seek(ear);
+  if (is_heard) {
+    ear.node->hear(*reception);
+  }
+}
+
+// ---- the observer
+
+void Wire::report_until(Time now) {
+  const auto& characters = line_.characters();
+  while (reported_ < characters.size() && sampled_by(characters[reported_].start, nominal_bit) <= now) {
+    report(characters[reported_++]);
+  }
+  reported_ -= line_.forget_before(now - memory);
+}
+
+void Wire::report(const Character& character) const {
+  if (!report_) {
+    return;
+  }
+  BusByte byte;
+  byte.start = character.start;
+  byte.end = character.start + character.format.length();
+  byte.sender = character.sender;
+  byte.sent = character.sent;
+  byte.lost = character.is_dropped || line_.wake.holds_at(character.start) ||
+              (character.end() == WireEnd::remote && line_.cut.holds_at(character.start));
+  if (!byte.lost) {
+    const auto reception = line_.sample(WireEnd::power_module, character.start, nominal_bit);
+    byte.heard = reception ? reception->value : 0;
+    byte.spoiled = !reception || reception->framing_error;
+  }
+  report_(byte);
+}
+
+}  // namespace simulation
