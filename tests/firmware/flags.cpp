@@ -5,6 +5,7 @@
 volatile uint8_t all;           // TIFR0 with all three flags up
 volatile uint8_t after_write;   // after writing one to OCF0A
 volatile uint8_t after_sbi;     // after SBI on OCF0B
+volatile uint8_t timer_asked;   // interrupts of a flag that was cleared before it could be served
 volatile uint8_t timer_fired;   // the overflow flag, enabled late
 volatile uint8_t wake_up;       // EIFR after an edge on WAKE
 volatile uint8_t wake_cleared;  // after writing one to INTF2
@@ -13,6 +14,10 @@ volatile uint8_t is_done;
 
 ISR(TIMER0_OVF_vect) {
   timer_fired = static_cast<uint8_t>(timer_fired + 1);
+}
+
+ISR(TIMER0_COMPA_vect) {
+  timer_asked = static_cast<uint8_t>(timer_asked + 1);
 }
 
 ISR(INT2_vect) {
@@ -36,7 +41,14 @@ int main() {
   after_write = TIFR0;
   __asm__ __volatile__("sbi %0, %1" ::"I"(_SFR_IO_ADDR(TIFR0)), "I"(OCF0B));
   after_sbi = TIFR0;
+  TCCR0B = _BV(CS00);
+  while ((TIFR0 & _BV(OCF0A)) == 0) {
+  }
+  TCCR0B = 0;
+  TIMSK0 = _BV(OCIE0A);
+  TIFR0 = _BV(OCF0A);
   sei();
+  __asm__ __volatile__("nop\n nop\n nop");
   TIMSK0 = _BV(TOIE0);
   __asm__ __volatile__("nop\n nop\n nop");
   TIMSK0 = 0;

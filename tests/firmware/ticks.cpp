@@ -7,6 +7,7 @@
 
 volatile uint16_t ticks;
 volatile uint16_t loops;
+volatile uint8_t signature = 0x5A;  // an initialised variable: copied from flash at the start
 
 ISR(TIMER0_COMPA_vect) {
   ticks = static_cast<uint16_t>(ticks + 1);
@@ -14,11 +15,12 @@ ISR(TIMER0_COMPA_vect) {
 
 int main() {
   const uint8_t choice = eeprom_read_byte(reinterpret_cast<const uint8_t*>(0));
+  static_cast<void>(signature);
   OCR0A = 124;
   TCCR0A = _BV(WGM01);
   TCCR0B = _BV(CS01) | _BV(CS00);
   TIMSK0 = _BV(OCIE0A);
-  set_sleep_mode(SLEEP_MODE_IDLE);
+  SMCR = 0;  // idle
   if (choice != 2) {
     sleep_enable();
   }

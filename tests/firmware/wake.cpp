@@ -4,6 +4,8 @@
 #include <avr/sleep.h>
 
 volatile uint8_t edges;
+volatile uint8_t passes;
+volatile uint8_t seen_first;  // edges known to the first instruction after the first sleep
 
 ISR(INT2_vect) {
   edges = static_cast<uint8_t>(edges + 1);
@@ -14,8 +16,11 @@ int main() {
   EIFR = _BV(INTF2);
   EIMSK = _BV(INT2);
   sleep_enable();
-  sei();
   for (;;) {
-    sleep_cpu();
+    __asm__ __volatile__("sei\n sleep\n cli" ::: "memory");
+    if (passes == 0) {
+      seen_first = edges;
+    }
+    passes = static_cast<uint8_t>(passes + 1);
   }
 }

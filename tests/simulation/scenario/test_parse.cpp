@@ -1,0 +1,129 @@
+#include <catch2/catch.hpp>
+
+#include <string>
+
+#include "simulation/scenario/parse.hpp"
+
+namespace {
+
+using namespace simulation;
+using namespace simulation::scenario;
+
+std::string complaints_about(const std::string& text) {
+  try {
+    parse_scenario(text, "file.yaml");
+  } catch (const BadScenario& bad) {
+    return bad.what();
+  }
+  return "";
+}
+
+const std::string head = "name: a test\nsteps:\n";
+
+}  // namespace
+
+TEST_CASE("a time without a unit is named with its place and its remedy") {
+  CHECK(complaints_about(head + "  - wait: 60\n") == "file.yaml:3:11: 60 has no unit: write 60ms");
+}
+
+TEST_CASE("an unknown step is named with the nearest known one") {
+  CHECK(complaints_about(head + "  - expcet: {motors: stopped}\n") ==
+        "file.yaml:3:5: unknown step 'expcet' (did you mean 'expect'?)");
+  CHECK(complaints_about(head + "  - wakeup\n") == "file.yaml:3:5: unknown step 'wakeup' (did you mean 'wake'?)");
+}
+
+TEST_CASE("an unknown condition, control or key is named with the nearest known one") {
+  CHECK(complaints_about(head + "  - expect: {motor: stopped}\n") ==
+        "file.yaml:3:14: unknown condition 'motor' (did you mean 'motors'?)");
+  CHECK(complaints_about(head + "  - expect: {chair: {sped: \"> 1m/s\"}}\n") ==
+        "file.yaml:3:22: unknown condition 'chair sped' (did you mean 'speed'?)");
+  CHECK(complaints_about(head + "  - sr: {sped: 60%}\n") == "file.yaml:3:10: sr has no 'sped' (did you mean 'speed'?)");
+  CHECK(complaints_about("nmae: x\n" + head) ==
+        "file.yaml:1:1: a scenario has no 'nmae' (did you mean 'name'?)\n"
+        "file.yaml:4:1: 'steps' must be a list: each step on a line of its own after '- '");
+}
+
+TEST_CASE("a value of the wrong type is named") {
+  CHECK(complaints_about(head + "  - wait: {a: 1s}\n") ==
+        "file.yaml:3:11: expected a time such as 60ms, 1.5s or 250us, found a map");
+  CHECK(complaints_about(head + "  - expect: stopped\n") ==
+        "file.yaml:3:13: a condition must be a map of 'word: value', found 'stopped'");
+  CHECK(complaints_about(head + "  - sr: {horn: loud}\n") ==
+        "file.yaml:3:16: expected on or off (or yes, no), found 'loud'");
+  CHECK(complaints_about(head + "  - expect: {motors: resting}\n") ==
+        "file.yaml:3:22: 'resting' is not one of: driving, stopped, not speeding up");
+  CHECK(complaints_about(head + "  - expect: {speedo: \"> 5ms\"}\n") ==
+        "file.yaml:3:22: '5ms' must be a number without a unit");
+  CHECK(complaints_about(head + "  - send: {bytes: \"60 C\"}\n") ==
+        "file.yaml:3:19: 'C' is not a byte: write two hexadecimal digits, as in \"60 C0 0F\"");
+}
+
+TEST_CASE("a companion that is missing or does not belong is named") {
+  CHECK(complaints_about(head + "  - hold: {motors: stopped}\n") == "file.yaml:3:5: step 'hold' needs 'for'");
+  CHECK(complaints_about(head + "  - wait: 1s\n    within: 2s\n") ==
+        "file.yaml:4:5: step 'wait' has no 'within' (known: wait)");
+}
+
+TEST_CASE("all that is wrong comes out at once, in the order of lines") {
+  CHECK(complaints_about(head + "  - wait: 60\n  - slop: 1deg\n  - wait: 5\n") ==
+        "file.yaml:3:11: 60 has no unit: write 60ms\n"
+        "file.yaml:4:5: unknown step 'slop' (did you mean 'slope'?)\n"
+        "file.yaml:5:11: 5 has no unit: write 5ms");
+}
+
+TEST_CASE("clause ids, boards and the given situation are checked") {
+  CHECK(complaints_about("spec: [SB-2.14, 2.15]\n" + head + "  - wake\n") ==
+        "file.yaml:1:7: '2.15' is not a clause id such as SB-2.15");
+  CHECK(complaints_about("needs: pic\n" + head + "  - wake\n") == "file.yaml:1:8: 'pic' is not a board: avr, host");
+  CHECK(complaints_about("given: asleep\n" + head + "  - wake\n") ==
+        "file.yaml:1:8: 'asleep' is not a start: off, awake, driving at 60%");
+  CHECK(complaints_about("given: driving at 60\n" + head + "  - wake\n") ==
+        "file.yaml:1:8: 60 has no unit: write 60%");
+}
+
+TEST_CASE("broken YAML is named with its place") {
+  CHECK_THAT(complaints_about(head + "  - expect: {speedo: > 5}\n"), Catch::StartsWith("file.yaml:3:"));
+  CHECK_THAT(complaints_about("just words"), Catch::StartsWith("file.yaml: a scenario is a map"));
+}
+
+TEST_CASE("a good file becomes plain steps") {
+  const auto scenario = parse_scenario(
+      "name: a test\nspec: [SB-2.15]\ntags: [x]\nseed: 7\nneeds: avr\nsteps:\n"
+      "  - wait: 60ms\n"
+      "  - expect: {motors: stopped, chair: {speed: \"< 1m/s\"}}\n    within: 2s\n"
+      "  - sr: {speed: -50%, pot raw: 128}\n"
+      "  - send: {bytes: \"0F\", every: 20ms, for: 1s}\n"
+      "  - fault: {corrupt checksum: SR general, count: 3}\n",
+      "file.yaml");
+  CHECK(scenario.spec == std::vector<std::string>{"SB-2.15"});
+  CHECK(scenario.seed == 7U);
+  CHECK(scenario.needs == std::vector<std::string>{"avr"});
+  REQUIRE(scenario.steps.size() == 5);
+  CHECK(std::get<Wait>(scenario.steps[0].action).span == 60ms);
+
+  const auto& expect = std::get<Expect>(scenario.steps[1].action);
+  CHECK(expect.within == 2s);
+  REQUIRE(expect.conditions.size() == 2);
+  CHECK(expect.conditions[1].text == "chair speed: < 1m/s");
+  CHECK(expect.conditions[1].mark == Mark{8, 39});
+
+  RemoteControls controls;
+  for (const auto& change : std::get<SetControls>(scenario.steps[2].action).changes) {
+    change(controls);
+  }
+  CHECK(controls.speed == 256);
+  CHECK(controls.pot == 128);
+
+  CHECK(std::get<Send>(scenario.steps[3].action).times == 50);
+  CHECK(std::get<Disturb>(scenario.steps[4].action).count == 3);
+}
+
+TEST_CASE("full stick is full scale in both directions", "[SB-00.8]") {
+  const auto scenario = parse_scenario(head + "  - sr: {speed: 100%, direction: -100%}\n", "file.yaml");
+  RemoteControls controls;
+  for (const auto& change : std::get<SetControls>(scenario.steps[0].action).changes) {
+    change(controls);
+  }
+  CHECK(controls.speed == 1023);
+  CHECK(controls.direction == 0);
+}
