@@ -13,7 +13,9 @@ class Set {
 
   constexpr Set() : bits_(0) {}
 
-  __attribute__((always_inline)) static constexpr Set of(Item item) { return Set(static_cast<Bits>(Bits{1} << static_cast<uint8_t>(item))); }
+  __attribute__((always_inline)) static constexpr Set of(Item item) {
+    return Set(static_cast<Bits>(Bits{1} << static_cast<uint8_t>(item)));
+  }
   // Walking all items in order, without a shift by a variable: first(), then next() of each.
   static constexpr Set first() { return Set(1); }
   constexpr Set next() const { return Set(static_cast<Bits>(bits_ << 1)); }
@@ -29,7 +31,9 @@ class Set {
   constexpr Set without(Set other) const { return Set(static_cast<Bits>(bits_ & ~other.bits_)); }
 
   __attribute__((always_inline)) void put(Item item, bool is_in) { put(of(item), is_in); }
-  __attribute__((always_inline)) void put(Set some, bool is_in) { bits_ = static_cast<Bits>(is_in ? (bits_ | some.bits_) : (bits_ & ~some.bits_)); }
+  __attribute__((always_inline)) void put(Set some, bool is_in) {
+    bits_ = static_cast<Bits>(is_in ? (bits_ | some.bits_) : (bits_ & ~some.bits_));
+  }
   void add(Item item) { put(item, true); }
 
   constexpr Bits bits() const { return bits_; }

@@ -6,6 +6,8 @@ namespace simulation::report {
 namespace {
 
 constexpr Time cycle_pause = 5ms;  // as in the transcript
+// After the remote's turn: whatever belongs to the cycle has been said, the answer and an attendant's turn included.
+constexpr Time cycle_rest = 15ms;
 
 Tone tone_of(const Packet& packet) {
   if (packet.kind == Packet::Kind::corrupt) {
@@ -42,6 +44,9 @@ void BusLog::on_byte(const BusByte& byte) {
 
 void BusLog::on_sample(const Sample& sample) {
   listener_.advance(sample.at);
+  if (sr_until_ && sample.at - *sr_until_ > cycle_rest) {
+    close_cycle();
+  }
   page_.advance(sample.at);
 }
 

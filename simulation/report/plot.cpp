@@ -25,12 +25,13 @@ struct Curve {
 struct Panel {
   const char* label;
   const char* range;
+  double key;  // height of the legend, where the curves leave room for it
   std::array<Curve, 2> curves;
 };
 constexpr std::array panels{
-    Panel{"stick / %", "[-110:110]", {{{2, "forward", "#1f77b4"}, {3, "right", "#ff7f0e"}}}},
-    Panel{"wheel speed / (m/s)", "[*:*]", {{{4, "left", "#2ca02c"}, {5, "right", "#d62728"}}}},
-    Panel{"PWM duty / %", "[-110:110]", {{{6, "left", "#2ca02c"}, {7, "right", "#d62728"}}}},
+    Panel{"stick / %", "[-110:110]", 0.22, {{{2, "forward", "#1f77b4"}, {3, "right", "#ff7f0e"}}}},
+    Panel{"wheel speed / (m/s)", "[*:*]", 0.96, {{{4, "left", "#2ca02c"}, {5, "right", "#d62728"}}}},
+    Panel{"PWM duty / %", "[-110:110]", 0.22, {{{6, "left", "#2ca02c"}, {7, "right", "#d62728"}}}},
 };
 
 struct Bar {
@@ -86,6 +87,8 @@ void write_bars(std::ostream& out, const std::string& csv) {
   out << '\n';
 }
 
+constexpr std::size_t most_rows = 1500;
+
 }  // namespace
 
 void Plot::on_sample(const Sample& sample) {
@@ -104,7 +107,10 @@ void Plot::on_sample(const Sample& sample) {
 void Plot::write_csv(std::ostream& out) const {
   out << "time s,stick forward %,stick right %,left wheel m/s,right wheel m/s,left duty %,right duty %,"
          "brakes engaged,drive inhibited,needs neutral,limp,power latch,cable cut,system state\n";
-  for (const Row& r : rows_) {
+  // More points than the picture has pixels would only make it large.
+  const std::size_t stride = 1 + rows_.size() / most_rows;
+  for (std::size_t i = 0; i < rows_.size(); i += stride) {
+    const Row& r = rows_[i];
     fmt::print(out, "{:.3f},{:.1f},{:.1f},{:.4f},{:.4f},{:.1f},{:.1f},{:d},{:d},{:d},{:d},{:d},{:d},{}\n", r.time,
                r.stick_speed, r.stick_direction, r.left_wheel, r.right_wheel, r.left_duty, r.right_duty,
                r.brakes_engaged, r.drive_inhibited, r.needs_neutral, r.limp, r.power_latch, r.cable_cut,
@@ -120,13 +126,13 @@ void Plot::write_script(std::ostream& out, const std::string& title, const std::
              rows_.empty() ? 1.0 : rows_.back().time);
   fmt::print(out, "set label 100 {} at screen 0.5, 0.975 center font ',16' noenhanced\n", quoted(title));
   fmt::print(out, "set rmargin at screen 0.90\nset lmargin at screen 0.13\nset format x ''\n");
-  fmt::print(out, "set key at graph 0.995, 0.96 right top opaque horizontal\n");
   double top = 0.84;
   constexpr double height = 0.17;
   constexpr double gap = 0.02;
   for (const Panel& panel : panels) {
     write_heading_marks(out, headings, &panel == &panels.front());
     fmt::print(out, "set tmargin at screen {:.3f}\nset bmargin at screen {:.3f}\n", top, top - height);
+    fmt::print(out, "set key at graph 0.995, {} right top opaque horizontal\n", panel.key);
     fmt::print(out, "set ylabel '{}'\nset yrange {}\nplot ", panel.label, panel.range);
     for (const Curve& curve : panel.curves) {
       fmt::print(out, "{}'{}' using 1:{} with lines lw 1.6 lc rgb '{}' title '{}'",

@@ -77,8 +77,7 @@ TEST_CASE("clause ids, boards and the given situation are checked") {
   CHECK(complaints_about("needs: pic\n" + head + "  - wake\n") == "file.yaml:1:8: 'pic' is not a board: avr, host");
   CHECK(complaints_about("given: asleep\n" + head + "  - wake\n") ==
         "file.yaml:1:8: 'asleep' is not a start: off, awake, driving at 60%");
-  CHECK(complaints_about("given: driving at 60\n" + head + "  - wake\n") ==
-        "file.yaml:1:8: 60 has no unit: write 60%");
+  CHECK(complaints_about("given: driving at 60\n" + head + "  - wake\n") == "file.yaml:1:8: 60 has no unit: write 60%");
 }
 
 TEST_CASE("broken YAML is named with its place") {
