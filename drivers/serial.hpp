@@ -22,8 +22,8 @@ void start();
 bool take(base::HeardByte& byte);
 
 // Speaks `turn` as soon as a clean `terminator` has ended on the line: the first start bit follows the
-// terminator's last stop bit by less than 100 us, whatever the loop is doing; if the terminator has just been heard
-// and nothing since, at once. The bytes are copied. Replaces a turn that still waits; ignored while speaking.
+// terminator's last stop bit by less than 100 us, whatever the loop is doing; if the terminator has been heard less
+// than 1 ms ago and nothing since, at once. The bytes are copied. Replaces a turn that still waits; ignored while speaking.
 void arm(uint8_t terminator, base::Span<const uint8_t> turn);
 
 // Speaks `turn` now, or not at all if already speaking. For the rare cases without a terminator (SB-2.12).

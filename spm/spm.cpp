@@ -147,7 +147,11 @@ void Spm::take_general(const Frame& frame, const Inputs& in, Stamp at, Instant n
   link_.message(now, at);
   const bool is_resting = motion_.is_stick_at_rest();
   power_.heard(now);
+  const bool was_down_asked = power_.is_down_asked();
   power_.general(general_, !is_resting, Millis(settings_[Setting::sleep_timeout] * uint32_t{60000}), now);
+  if (power_.is_down_asked() && !was_down_asked) {
+    record(EventCode::power_down_asked, power_.is_sleep_asked(), now);
+  }
   if (power_.is_bus_idle()) {
     link_.rest();  // SB-2.15
   }

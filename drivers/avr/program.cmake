@@ -4,8 +4,13 @@
 # Normally called by the targets of the same names.
 cmake_minimum_required(VERSION 3.25)
 
+# What is wrong, and what to do about it. (A line that begins with a space is shown as it is.)
+function(refuse problem remedy)
+  message(FATAL_ERROR " ${problem}\n  ${remedy}")
+endfunction()
+
 if(NOT AVRDUDE OR AVRDUDE MATCHES "NOTFOUND")
-  message(FATAL_ERROR "avrdude is not installed: apt-get install avrdude, then configure again")
+  refuse("avrdude is not installed" "apt-get install avrdude, then configure again")
 endif()
 
 set(dude ${AVRDUDE} -p m1284p -c ${PROGRAMMER})
@@ -16,8 +21,8 @@ endif()
 function(call)
   execute_process(COMMAND ${dude} ${ARGN} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
-    message(FATAL_ERROR "avrdude failed. Is '${PROGRAMMER}' the right programmer? "
-                        "cmake -DPILOTFISH_PROGRAMMER=name -DPILOTFISH_PORT=port build")
+    refuse("avrdude failed. Is '${PROGRAMMER}' the right programmer?"
+           "cmake -DPILOTFISH_PROGRAMMER=name -DPILOTFISH_PORT=port build")
   endif()
 endfunction()
 
@@ -25,7 +30,7 @@ endfunction()
 function(read_fuse name out)
   execute_process(COMMAND ${dude} -q -q -U ${name}:r:-:h RESULT_VARIABLE result OUTPUT_VARIABLE text)
   if(NOT result EQUAL 0 OR NOT text MATCHES "0x[0-9a-fA-F]+")
-    message(FATAL_ERROR "cannot read ${name} of the chip: is it connected and powered?")
+    refuse("cannot read ${name} of the chip: is it connected and powered?" "programmer: ${PROGRAMMER} ${PORT}")
   endif()
   math(EXPR value "${CMAKE_MATCH_0}")
   set(${out} ${value} PARENT_SCOPE)
@@ -44,8 +49,8 @@ if(ACTION STREQUAL "flash")
   read_fuse(hfuse high)
   math(EXPR eesave "${high} & 0x08")
   if(NOT eesave EQUAL 0)
-    message(FATAL_ERROR "this chip would lose its EEPROM (settings, event log): its fuse EESAVE is not programmed.\n"
-                        "Write the fuses first: PILOTFISH_CONFIRM=fuses cmake --build build --target fuses")
+    refuse("this chip would lose its EEPROM (settings, event log): its fuse EESAVE is not programmed."
+           "write the fuses first: PILOTFISH_CONFIRM=fuses cmake --build build --target fuses")
   endif()
   call(-U flash:w:${IMAGE}.hex:i)
 elseif(ACTION STREQUAL "eeprom")
@@ -61,13 +66,13 @@ elseif(ACTION STREQUAL "read-fuses")
 elseif(ACTION STREQUAL "fuses")
   wanted_fuses(wanted)
   if(NOT "$ENV{PILOTFISH_CONFIRM}" STREQUAL "fuses")
-    message(FATAL_ERROR "would write low, high, extended fuse = ${wanted} (hex). Wrong fuses can make a chip unreachable.\n"
-                        "If the crystal is fitted: PILOTFISH_CONFIRM=fuses cmake --build build --target fuses")
+    refuse("would write low, high, extended fuse = ${wanted} (hex); wrong fuses can make a chip unreachable."
+           "if the crystal is fitted: PILOTFISH_CONFIRM=fuses cmake --build build --target fuses")
   endif()
   list(GET wanted 0 low)
   list(GET wanted 1 high)
   list(GET wanted 2 extended)
   call(-U lfuse:w:0x${low}:m -U hfuse:w:0x${high}:m -U efuse:w:0x${extended}:m)
 else()
-  message(FATAL_ERROR "unknown ACTION '${ACTION}': flash, eeprom, fuses or read-fuses")
+  refuse("unknown ACTION '${ACTION}'" "flash, eeprom, fuses or read-fuses")
 endif()

@@ -21,6 +21,7 @@ static_assert(divider == 12, "SB-2.1: 38462 bps from 8 MHz, 0.16 % fast");
 // a little after that (SB-2.7), later by as much as interrupts take to respond.
 constexpr uint16_t from_receipt_to_answer = 44;
 constexpr uint16_t soon = 8;  // the line is idle already
+constexpr uint16_t latest_arm = 1000;  // after a terminator's receipt; later the line may be somebody else's (SB-2.8)
 // A little more than 3 ms after the end of the frame, so that the loop finds the silence long enough (SB-2.11).
 constexpr uint16_t from_receipt_to_silence = 3045;
 
@@ -122,8 +123,8 @@ void arm(uint8_t terminator, base::Span<const uint8_t> turn) {
   }
   sender.load(turn);
   avr::InterruptLock lock;
-  if (sender.arm(terminator)) {
-    const uint16_t age = static_cast<uint16_t>(TCNT3 - last_heard_at);
+  const uint16_t age = static_cast<uint16_t>(TCNT3 - last_heard_at);
+  if (sender.arm(terminator, age < latest_arm)) {
     avr::schedule_turn(age < from_receipt_to_answer - soon ? from_receipt_to_answer - age : soon);
   }
 }

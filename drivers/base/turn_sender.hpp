@@ -66,9 +66,10 @@ class TurnSender {
     echoed_ = 0;
   }
 
-  // True if the terminator is the last thing that was heard: the turn has begun, although it came late.
-  bool arm(uint8_t terminator) {
-    if (is_last_clean_ && last_ == terminator) {
+  // True if the terminator is the last thing that was heard, a moment ago (`is_recent`): the turn has begun, although
+  // it came late.
+  bool arm(uint8_t terminator, bool is_recent) {
+    if (is_recent && is_last_clean_ && last_ == terminator) {
       begin();
       return true;
     }

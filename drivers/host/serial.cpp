@@ -29,7 +29,7 @@ void arm(uint8_t terminator, base::Span<const uint8_t> turn) {
   TurnSender& sender = host::selected().sender;
   if (make_idle(sender)) {
     sender.load(turn);
-    sender.arm(terminator);  // never too late here: no time passes while the firmware works
+    sender.arm(terminator, false);  // never too late here: no time passes while the firmware works
   }
 }
 

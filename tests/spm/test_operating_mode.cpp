@@ -11,6 +11,7 @@ TEST_CASE("drive mode is established from the start", "[SB-00.7]") {
   CHECK(mode.mode() == 0);
   CHECK(mode.is_drive());
   CHECK_FALSE(mode.is_invalid());
+  CHECK_FALSE(mode.has_changed());
 }
 
 TEST_CASE("every mode is echoed at once, refused with the flag", "[SB-00.7][H-17]") {

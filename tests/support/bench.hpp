@@ -37,6 +37,8 @@ class Bench {
  public:
   static constexpr Microseconds character = 286;
   static constexpr Microseconds grain = 500;
+  // No test lasts longer; one that does waits for something that will not come.
+  static constexpr Microseconds longest_test = Microseconds{3600} * 1000000;
   // A receiver hands a character over at its first stop bit, before the second has ended.
   static constexpr Microseconds until_delivered = 250;
   // What the default ramps may change in a millisecond, rounded up: 145 permille a second up, 800 down.
@@ -44,7 +46,7 @@ class Bench {
   static constexpr int most_fall = 14;
 
   explicit Bench(std::uint32_t start_ms = 1000, const spm::Settings& settings = spm::Settings())
-      : now_(Microseconds{start_ms} * 1000), spm_(settings) {
+      : now_(Microseconds{start_ms} * 1000), begin_(now_), spm_(settings) {
     in.battery = base::Millivolts(24000);
     in.analog_ready = true;
     step();
@@ -78,6 +80,9 @@ class Bench {
       step();
     }
     now_ = std::max(now_, limit);
+    if (now_ - begin_ > longest_test) {
+      FAIL("an hour has passed");
+    }
   }
   void run_us(Microseconds span) { run_until(now_ + span); }
   void run_ms(Microseconds span) { run_until(now_ + span * 1000); }
@@ -288,6 +293,7 @@ class Bench {
   }
 
   Microseconds now_;
+  Microseconds begin_;
   spm::Spm spm_;
   spm::Outputs outputs_;
   bool is_armed_ = false;

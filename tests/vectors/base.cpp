@@ -110,7 +110,7 @@ void turn_sender(Record& record) {
         if (sender.state() != TurnSender::State::speaking) {
           sender.hush();
           sender.load(Span<const uint8_t>(turn, static_cast<uint8_t>(random.below(5))));
-          sender.arm(0x0F);
+          sender.arm(0x0F, random.one_in(2));
         }
         break;
       case 1:
@@ -143,7 +143,7 @@ void turn_sender(Record& record) {
   TurnSender fresh;
   uint8_t value = 0;
   fresh.load(Span<const uint8_t>(turn, 4));
-  fresh.arm(0x0F);
+  fresh.arm(0x0F, true);
   record.known(fresh.next(value), 0);
   record.known(static_cast<uint8_t>(fresh.hear(0x0F, true)), 0);   // spoiled, so it starts nothing
   record.known(static_cast<uint8_t>(fresh.hear(0x0F, false)), 1);  // start

@@ -48,7 +48,7 @@ TEST_CASE("an idle sender passes on everything it hears and says nothing", "[SB-
 TEST_CASE("an armed turn begins with a clean terminator and with nothing else", "[SB-2.7]") {
   Line line;
   line.load(settings);
-  line.sender.arm(tf);
+  line.sender.arm(tf, true);
   std::uint8_t byte = 0;
   CHECK(line.sender.hear(0x60, false) == Heard::data);
   CHECK(line.sender.hear(tf, true) == Heard::data);  // spoiled: not to be trusted
@@ -67,7 +67,7 @@ TEST_CASE("a turn that is armed just after its terminator begins at once", "[SB-
   line.load(settings);
   line.sender.hear(0x9F, false);
   line.sender.hear(tf, false);
-  CHECK(line.sender.arm(tf));
+  CHECK(line.sender.arm(tf, true));
   CHECK(line.sender.state() == State::speaking);
   CHECK(line.send() == settings);
 }
@@ -83,26 +83,34 @@ TEST_CASE("a terminator that was spoiled, or is not the last that was heard, doe
     line.sender.hear(tf, false);
     line.sender.hear(0x60, false);
   }
-  CHECK_FALSE(line.sender.arm(tf));
+  CHECK_FALSE(line.sender.arm(tf, true));
   CHECK(line.sender.state() == State::armed);
   CHECK(line.sender.hear(tf, false) == Heard::start);
+}
+
+TEST_CASE("a terminator that was heard too long ago does not begin a turn", "[SB-2.8][H-30]") {
+  Line line;
+  line.load(settings);
+  line.sender.hear(tf, false);
+  CHECK_FALSE(line.sender.arm(tf, false));
+  CHECK(line.sender.state() == State::armed);
 }
 
 TEST_CASE("one terminator begins one turn", "[SB-2.7][H-30]") {
   Line line;
   line.load(settings);
   SECTION("armed before it") {
-    line.sender.arm(tf);
+    line.sender.arm(tf, true);
     line.sender.hear(tf, false);
   }
   SECTION("armed after it") {
     line.sender.hear(tf, false);
-    line.sender.arm(tf);
+    line.sender.arm(tf, true);
   }
   CHECK(line.send() == settings);
   line.sender.finished();
   line.load(settings);
-  CHECK_FALSE(line.sender.arm(tf));
+  CHECK_FALSE(line.sender.arm(tf, true));
   CHECK(line.sender.state() == State::armed);
 }
 
@@ -178,7 +186,7 @@ TEST_CASE("a character that was on its way when we decided to speak is still dat
 TEST_CASE("hushing forgets an armed turn", "[SB-1.3]") {
   Line line;
   line.load(settings);
-  line.sender.arm(tf);
+  line.sender.arm(tf, true);
   line.sender.hush();
   CHECK(line.sender.state() == State::idle);
   CHECK(line.sender.hear(tf, false) == Heard::data);
@@ -222,7 +230,7 @@ TEST_CASE("a second turn is sent whole after a first one that broke off", "[SB-1
 
   const Bytes power_up{0x05, 0x80, 0xFA, 0x0F};
   line.load(power_up);
-  line.sender.arm(tf);
+  line.sender.arm(tf, true);
   CHECK(line.sender.hear(tf, false) == Heard::start);
   CHECK(line.send() == power_up);
   CHECK_FALSE(line.sender.take_clash());
