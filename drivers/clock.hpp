@@ -7,8 +7,11 @@
 namespace drivers {
 namespace clock {
 
-// Starts both. Wakes the loop every 500 us, the grain of the bus's 60 ms rule (SB-2.15).
+// Starts both. The loop is woken every millisecond.
 void start();
+
+// Wakes the loop half-way between two milliseconds, too, for as long as somebody needs the finer grain (SB-2.15).
+void tick_twice(bool is_wanted);
 
 base::Instant now();
 base::Stamp stamp();

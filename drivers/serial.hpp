@@ -15,6 +15,10 @@ namespace serial {
 // Configures the UART and begins to listen. Call once, interrupts still off.
 void start();
 
+// The loop is woken by every character, but not before `count` more than it has taken have come: until then nobody
+// needs it. Whoever wants to know earlier is woken by the clock.
+void expect(uint8_t count);
+
 // Wakes the loop 3 ms after the end of a character that nothing has followed (SB-2.11).
 
 // The oldest character that was heard and not yet taken; false if there is none. Characters lost because

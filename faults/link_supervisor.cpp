@@ -40,17 +40,20 @@ void LinkSupervisor::rest() {
   is_silent_ = false;
 }
 
-void LinkSupervisor::poll(Instant now, Stamp at) {
+bool LinkSupervisor::poll(Instant now, Stamp at) {
   if (!is_watching_ || is_silent_) {
-    return;
+    is_near_silence_ = false;
+    return false;
   }
   // The fine stamp decides, but it wraps after 65 ms: the coarse age says when it may be believed.
   const Millis age = now - last_;
+  is_near_silence_ = age + 2_ms >= coarse_silence_;
   const bool is_fine_age_over = at - last_stamp_ >= limits_.silence && age + 1_ms >= coarse_silence_;
   if (is_fine_age_over || age >= coarse_silence_ + 2_ms) {  // SB-2.15
     is_silent_ = true;
     lose();
   }
+  return is_silent_;
 }
 
 }  // namespace faults

@@ -27,6 +27,7 @@ class LinkSupervisor {
         good_run_(0),
         is_watching_(false),
         is_silent_(false),
+        is_near_silence_(false),
         is_up_(true) {}
 
   // A good message of the watched sender; the first one starts the watch for silence.
@@ -38,8 +39,11 @@ class LinkSupervisor {
   void restarted();
   // Bus idle mode: silence is expected from now on.
   void rest();
-  void poll(base::Instant now, base::Stamp at);
+  // True if the link has fallen silent with this call.
+  bool poll(base::Instant now, base::Stamp at);
 
+  // Silence is near enough that a millisecond is too coarse a grain for poll().
+  bool is_near_silence() const { return is_near_silence_; }
   bool has_corrupt_run() const { return corrupt_run_ >= limits_.corrupt_run; }
   bool is_silent() const { return is_silent_; }
   bool is_up() const { return is_up_; }
@@ -56,6 +60,7 @@ class LinkSupervisor {
   uint8_t good_run_;
   bool is_watching_;
   bool is_silent_;
+  bool is_near_silence_;
   bool is_up_;
   base::Instant last_;      // when the last good message came, coarse
   base::Stamp last_stamp_;  // and fine

@@ -80,6 +80,32 @@ void speak(const Outputs& outputs) {
   }
 }
 
+void move(const Outputs& outputs) {
+  drivers::bridge::Motion motion;
+  motion.left = wheel_of(outputs.left);
+  motion.right = wheel_of(outputs.right);
+  motion.bridge_enabled = outputs.bridge_enabled;
+  motion.relay_closed = outputs.relay_closed;
+  motion.left_brake_released = outputs.left_brake == Brake::released;
+  motion.right_brake_released = outputs.right_brake == Brake::released;
+  drivers::bridge::apply(motion);
+}
+
+void switch_over(const Outputs& outputs) {
+  drivers::signals::Switched switched;
+  switched.left_indicator = outputs.left_indicator;
+  switched.right_indicator = outputs.right_indicator;
+  switched.headlight = outputs.headlight;
+  switched.status_led = outputs.status_led;
+  drivers::signals::apply(switched);
+
+  if (outputs.latch == Latch::hold) {
+    drivers::power_latch::hold();
+  } else if (outputs.latch == Latch::release) {
+    drivers::power_latch::release();
+  }
+}
+
 }  // namespace
 
 void Board::start() {
@@ -104,10 +130,9 @@ Settings Board::settings() {
 
 const Inputs& Board::sense(base::Instant now) {
   sense_bus();
-  if (now != last_slow_ || !has_sensed_) {
-    has_sensed_ = true;
+  if (now != last_slow_) {
     last_slow_ = now;
-    sense_slow();
+    sense_next();
   }
   return in_;
 }
@@ -123,42 +148,39 @@ void Board::sense_bus() {
   in_.wake = drivers::signals::is_awake();
 }
 
-void Board::sense_slow() {
-  const drivers::signals::Sensed sensed = drivers::signals::sense();
-  in_.dci_slowdown = sensed.dci_slowdown;
-  in_.lighting_fitted = sensed.lighting_fitted;
-  in_.battery = battery_of(drivers::analog::raw(Channel::battery));
-  in_.left_current = motor_current_of(drivers::analog::raw(Channel::left_current));
-  in_.right_current = motor_current_of(drivers::analog::raw(Channel::right_current));
-  in_.brake_coils = coil_current_of(drivers::analog::raw(Channel::brake_coils));
-  in_.analog_ready = drivers::analog::is_ready();
+void Board::sense_next() {
+  switch (turn_) {
+    case 0:
+      in_.battery = battery_of(drivers::analog::raw(Channel::battery));
+      in_.analog_ready = drivers::analog::is_ready();
+      break;
+    case 1:
+      in_.left_current = motor_current_of(drivers::analog::raw(Channel::left_current));
+      break;
+    case 2:
+      in_.right_current = motor_current_of(drivers::analog::raw(Channel::right_current));
+      break;
+    case 3:
+      in_.brake_coils = coil_current_of(drivers::analog::raw(Channel::brake_coils));
+      break;
+    default: {
+      const drivers::signals::Sensed sensed = drivers::signals::sense();
+      in_.dci_slowdown = sensed.dci_slowdown;
+      in_.lighting_fitted = sensed.lighting_fitted;
+    }
+  }
+  turn_ = turn_ < 4 ? static_cast<uint8_t>(turn_ + 1) : uint8_t{0};
 }
 
 void Board::apply(const Outputs& outputs) {
   speak(outputs);  // first: an answer must not wait for anything
-  if (outputs.are_pins_as_before) {
-    return;
+  drivers::serial::expect(outputs.awaited);
+  drivers::clock::tick_twice(outputs.is_time_pressing);
+  if (!outputs.are_motors_as_before) {
+    move(outputs);
   }
-  drivers::bridge::Motion motion;
-  motion.left = wheel_of(outputs.left);
-  motion.right = wheel_of(outputs.right);
-  motion.bridge_enabled = outputs.bridge_enabled;
-  motion.relay_closed = outputs.relay_closed;
-  motion.left_brake_released = outputs.left_brake == Brake::released;
-  motion.right_brake_released = outputs.right_brake == Brake::released;
-  drivers::bridge::apply(motion);
-
-  drivers::signals::Switched switched;
-  switched.left_indicator = outputs.left_indicator;
-  switched.right_indicator = outputs.right_indicator;
-  switched.headlight = outputs.headlight;
-  switched.status_led = outputs.status_led;
-  drivers::signals::apply(switched);
-
-  if (outputs.latch == Latch::hold) {
-    drivers::power_latch::hold();
-  } else if (outputs.latch == Latch::release) {
-    drivers::power_latch::release();
+  if (!outputs.are_switches_as_before) {
+    switch_over(outputs);
   }
 }
 

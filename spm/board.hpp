@@ -15,17 +15,17 @@ class Board {
   // As stored; that they could not be read shows in every later sense().
   Settings settings();
 
-  // What the bus says is always new; voltages, currents and switches are read once a millisecond.
+  // What the bus says is always new; of voltages, currents and switches one is read each millisecond, in turn.
   const Inputs& sense(base::Instant now);
   void apply(const Outputs& outputs);
 
  private:
   void sense_bus();
-  void sense_slow();
+  void sense_next();
 
   Inputs in_;
   base::Instant last_slow_;
-  bool has_sensed_ = false;
+  uint8_t turn_ = 0;  // whose it is to be read
 };
 
 }  // namespace spm

@@ -9,31 +9,25 @@ using bus::shark::JoystickReading;
 
 namespace {
 
-constexpr uint8_t ramp_bits = 8;  // below a Q14 demand
 constexpr int32_t full = full_demand.count();
 
 int16_t share_of(uint16_t permille) {
   return static_cast<int16_t>((static_cast<int32_t>(permille) * full + 500) / 1000);
 }
 
-// Permille a second into Q22 a millisecond; never 0, or a ramp would stand still.
-int32_t rate_of(uint16_t permille_per_second) {
-  const int32_t rate = (static_cast<int32_t>(permille_per_second) * ((full << ramp_bits) / 1000) + 500) / 1000;
-  return rate > 0 ? rate : 1;
+// Permille a second into 1/256 Q14 a millisecond, to the nearest: 2^14 * 256 / 10^6 = 2^18 / 62500.
+uint16_t rate_of(uint16_t permille_per_second) {
+  return static_cast<uint16_t>(((static_cast<uint32_t>(permille_per_second) << 18) + 31250) / 62500);
 }
 
-// Shifts on magnitudes, here and below: they round towards zero like a division, which the AVR would do bit by bit.
+// Shifts on magnitudes: they round towards zero like a division, which the AVR would do bit by bit.
 constexpr int16_t times(int16_t share, int16_t other) {
   const uint32_t product =
       static_cast<uint32_t>(static_cast<uint16_t>(magnitude(share))) * static_cast<uint16_t>(magnitude(other));
-  const int16_t scaled = static_cast<int16_t>((product << 2) >> 16);
-  return static_cast<int16_t>((share < 0) != (other < 0) ? -scaled : scaled);
+  const int16_t result = static_cast<int16_t>((product << 2) >> 16);
+  return static_cast<int16_t>((share < 0) != (other < 0) ? -result : result);
 }
 static_assert(full == int32_t{1} << 14, "a share of 2^14, times 4, stands in the upper half");
-
-constexpr int16_t without_ramp_bits(int32_t value) {
-  return static_cast<int16_t>(value < 0 ? -(-value >> ramp_bits) : value >> ramp_bits);
-}
 
 int16_t off_neutral(JoystickReading reading) {
   return static_cast<int16_t>(static_cast<int16_t>(reading.count()) -
@@ -65,31 +59,39 @@ int16_t pot_share(bus::shark::PotReading pot, const DriveProfile& profile) {
                               ((above_floor * (static_cast<int32_t>(pot.count()) * 257) + above_floor) >> 16));
 }
 
-// Keeps both wheels within the ceiling; speed gives way before the turn does.
-Wheels mix(int16_t forward, int16_t turn, int16_t ceiling) {
-  if (magnitude(turn) > ceiling) {
-    turn = static_cast<int16_t>(turn < 0 ? -ceiling : ceiling);
+int16_t limited(int16_t value, int16_t most) {
+  if (magnitude(value) <= most) {
+    return value;
   }
-  const int16_t room = static_cast<int16_t>(ceiling - magnitude(turn));
-  if (magnitude(forward) > room) {
-    forward = static_cast<int16_t>(forward < 0 ? -room : room);
-  }
-  return Wheels{Demand(static_cast<int16_t>(forward + turn)), Demand(static_cast<int16_t>(forward - turn))};
+  return static_cast<int16_t>(value < 0 ? -most : most);
 }
 
-int32_t fall(int32_t value, int32_t floor, int32_t rate) {
-  return value - floor > rate ? value - rate : floor;
+// `part` of `whole`, times 2^bits, rounded up; 0 <= part <= whole <= 16384, whole > 0, at most 14 bits. A bit at a
+// time: the AVR has no division, and the compiler's is for any numbers.
+int16_t proportion_of(int16_t part, int16_t whole, uint8_t bits) {
+  int16_t quotient = part < whole ? int16_t{0} : int16_t{1};
+  int16_t rest = part < whole ? part : int16_t{0};
+  for (; bits > 0; --bits) {
+    rest = static_cast<int16_t>(rest * 2);
+    quotient = static_cast<int16_t>(quotient * 2);
+    if (rest >= whole) {
+      rest = static_cast<int16_t>(rest - whole);
+      ++quotient;
+    }
+  }
+  return static_cast<int16_t>(rest != 0 ? quotient + 1 : quotient);
 }
 
-// For a wheel that turns forward or stands: down to the target, or to zero if that lies behind it.
-int32_t approach(int32_t value, int32_t target, int32_t rise, int32_t drop) {
-  if (value < 0 || (value == 0 && target < 0)) {
-    return -approach(-value, -target, rise, drop);
-  }
-  if (target >= value) {
-    return target - value > rise ? value + rise : target;
-  }
-  return fall(value, target > 0 ? target : 0, drop);
+// The same for a byte, and its opposite. A share of 1 is 255/256 here.
+uint8_t byte_share(int16_t part, int16_t whole) {
+  const int16_t share = whole > 0 ? proportion_of(part, whole, 8) : int16_t{0};
+  return static_cast<uint8_t>(share > 255 ? 255 : share);
+}
+int16_t scaled(int16_t whole, uint8_t share) {
+  // Two small products: 8 bits times 8 is one instruction of the AVR, 16 times 16 is a call.
+  const uint16_t of_high = static_cast<uint8_t>(whole >> 8) * uint16_t{share};
+  const uint16_t of_low = static_cast<uint8_t>(whole & 0xFF) * uint16_t{share};
+  return static_cast<int16_t>(of_high + (of_low >> 8));
 }
 
 }  // namespace
@@ -109,6 +111,8 @@ DriveProfile make_profile(const Settings& settings) {
   profile.acceleration = rate_of(settings[Setting::acceleration]);
   profile.forward_deceleration = rate_of(settings[Setting::forward_deceleration]);
   profile.reverse_deceleration = rate_of(settings[Setting::reverse_deceleration]);
+  profile.turn_acceleration = rate_of(settings[Setting::turn_acceleration]);
+  profile.turn_deceleration = rate_of(settings[Setting::turn_deceleration]);
   profile.emergency_deceleration = rate_of(settings[Setting::emergency_deceleration]);
   return profile;
 }
@@ -117,14 +121,18 @@ bool is_at_rest(const Stick& stick, const DriveProfile& profile) {
   return is_axis_at_rest(stick.speed, profile) && is_axis_at_rest(stick.direction, profile);
 }
 
-Wheels targets_of(const Stick& stick, const DriveProfile& profile, bool is_limping) {
+// Not inlined: what is done with every general must not cost the other milliseconds registers.
+__attribute__((noinline)) Command command_of(const Stick& stick, const DriveProfile& profile, bool is_limping) {
   const int16_t pot = pot_share(stick.pot, profile);
   const int16_t speed = axis_share(stick.speed, profile);
   const int16_t maximum = speed < 0 ? profile.reverse_maximum : profile.forward_maximum;
-  const int16_t forward = times(times(speed, maximum), pot);
-  const int16_t turn = times(times(axis_share(stick.direction, profile), profile.turn_maximum), pot);
-  return mix(forward, turn,
-             is_limping ? profile.limp_maximum : static_cast<int16_t>(full));  // SB-2.16: a cap, no scale
+  // SB-2.16: a cap, no scale
+  const int16_t ceiling = is_limping ? profile.limp_maximum : static_cast<int16_t>(full);
+  Command command;
+  command.turn = limited(times(times(axis_share(stick.direction, profile), profile.turn_maximum), pot), ceiling);
+  // Speed gives way before the turn does.
+  command.forward = limited(times(times(speed, maximum), pot), static_cast<int16_t>(ceiling - magnitude(command.turn)));
+  return command;
 }
 
 uint8_t speedo_of(const Wheels& demand, const DriveProfile& profile) {
@@ -134,21 +142,79 @@ uint8_t speedo_of(const Wheels& demand, const DriveProfile& profile) {
   return shown > limits::speedo_full ? limits::speedo_full : static_cast<uint8_t>(shown);
 }
 
-void Ramps::step(const Wheels& targets, const DriveProfile& profile) {
-  // One rate for both wheels, or a turn would bend while it ends.
-  const bool is_reversing = left_ + right_ < 0;
-  const int32_t drop = is_reversing ? profile.reverse_deceleration : profile.forward_deceleration;
-  left_ = approach(left_, static_cast<int32_t>(targets.left.count()) * (1 << ramp_bits), profile.acceleration, drop);
-  right_ = approach(right_, static_cast<int32_t>(targets.right.count()) * (1 << ramp_bits), profile.acceleration, drop);
+void Ramp::fall(uint16_t rate) {
+  const int16_t step = take_step(rate);
+  if (magnitude(value_) <= step) {
+    value_ = 0;
+  } else {
+    value_ = static_cast<int16_t>(value_ < 0 ? value_ + step : value_ - step);
+  }
+}
+
+void Ramps::aim_at(const Command& command) {
+  if (command.forward == target_.forward && command.turn == target_.turn) {
+    return;
+  }
+  target_ = command;
+  const int16_t speed = magnitude(command.forward);
+  const int16_t turn = magnitude(command.turn);
+  is_mostly_turn_ = turn > speed;
+  curve_ = is_mostly_turn_ ? byte_share(speed, turn) : byte_share(turn, speed);
+}
+
+void Ramps::step(const DriveProfile& profile) {
+  is_stopping_ = false;
+  if (turn_.value() != target_.turn) {
+    approach_turn(profile);
+  }
+  if (forward_.value() != target_.forward) {
+    forward_.approach(target_.forward, profile.acceleration,
+                      forward_.value() < 0 ? profile.reverse_deceleration : profile.forward_deceleration);
+    const int16_t room = static_cast<int16_t>(full_demand.count() - magnitude(turn_.value()));
+    if (magnitude(forward_.value()) > room) {
+      forward_.put(limited(forward_.value(), room));
+    }
+  }
+}
+
+void Ramps::approach_turn(const DriveProfile& profile) {
+  const int16_t before = turn_.value();
+  turn_.approach(target_.turn, profile.turn_acceleration, profile.turn_deceleration);
+  const int16_t turn = magnitude(turn_.value());
+  const int16_t speed = magnitude(forward_.value());
+  if (turn <= magnitude(before) || speed >= magnitude(target_.forward)) {
+    return;
+  }
+  if (is_mostly_turn_ ? scaled(turn, curve_) > speed : turn > scaled(speed, curve_)) {
+    turn_.put(before);
+  }
 }
 
 void Ramps::stop(const DriveProfile& profile) {
-  left_ = approach(left_, 0, 0, profile.emergency_deceleration);
-  right_ = approach(right_, 0, 0, profile.emergency_deceleration);
+  const bool is_mostly_turn = magnitude(turn_.value()) > magnitude(forward_.value());
+  Ramp& larger = is_mostly_turn ? turn_ : forward_;
+  Ramp& smaller = is_mostly_turn ? forward_ : turn_;
+  if (larger.value() == 0) {
+    return;
+  }
+  if (!is_stopping_) {
+    is_stopping_ = true;
+    const int16_t proportion = proportion_of(magnitude(smaller.value()), magnitude(larger.value()), 14);
+    proportion_ = (larger.value() < 0) != (smaller.value() < 0) ? static_cast<int16_t>(-proportion) : proportion;
+  }
+  larger.fall(profile.emergency_deceleration);
+  smaller.put(times(larger.value(), proportion_));
 }
 
-Wheels Ramps::demand() const {
-  return Wheels{Demand(without_ramp_bits(left_)), Demand(without_ramp_bits(right_))};
+void Ramps::yield_to(const Wheels& granted) {
+  const Wheels asked = demand();
+  const int32_t left = static_cast<int32_t>(asked.left.count()) - granted.left.count();
+  const int32_t right = static_cast<int32_t>(asked.right.count()) - granted.right.count();
+  // Half a step may be left over. It is left with the ramps, or a wheel that the gate has stopped at zero on its way to
+  // the other side would never get there.
+  forward_.put(static_cast<int16_t>(forward_.value() - (left + right) / 2));
+  turn_.put(static_cast<int16_t>(turn_.value() - (left - right) / 2));
+  is_stopping_ = false;
 }
 
 }  // namespace spm

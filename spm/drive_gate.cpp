@@ -8,54 +8,60 @@ using base::magnitude;
 
 namespace {
 
-// Magnitudes fit in 15 bits: a demand never exceeds +-16384, and anything that claims to is no demand at all.
-constexpr bool is_sane(int16_t value) {
-  return value >= -full_demand.count() && value <= full_demand.count();
+constexpr int16_t smaller(int16_t value, int16_t other) {
+  return value < other ? value : other;
 }
-constexpr bool same_side(int16_t value, int16_t other) {
-  return (value >= 0) == (other >= 0);
+constexpr int16_t fallen_from(int16_t last) {
+  return static_cast<int16_t>(last > limits::least_fall.count() ? last - limits::least_fall.count() : 0);
 }
 
-// How large the demand may be now, given how large it was.
-int16_t ceiling(int16_t last, bool may_rise, bool is_limping) {
-  const int16_t fallen =
-      static_cast<int16_t>(last > limits::least_fall.count() ? last - limits::least_fall.count() : 0);
-  if (!may_rise) {  // SB-2.17, H-01, H-04
-    return fallen;
-  }
+// How large a wheel's demand may be now, given how large it was.
+int16_t driving_ceiling(int16_t last, bool is_limping) {
   const int16_t risen = static_cast<int16_t>(last + limits::steepest_rise.count());  // H-33
   const int16_t limp = limits::limp_ceiling.count();
   if (!is_limping || risen <= limp) {
     return risen;
   }
-  return last > limp ? (fallen > limp ? fallen : limp) : limp;  // SB-2.16
+  const int16_t fallen = fallen_from(last);
+  return fallen > limp ? fallen : limp;  // SB-2.16
 }
 
-Demand pass_one(Demand wanted, Demand last, bool may_rise, bool is_limping) {
-  int16_t value = is_sane(wanted.count()) ? wanted.count() : int16_t{0};
-  const int16_t before = last.count();
-  const int16_t most = ceiling(magnitude(before), may_rise, is_limping);
-  if (before != 0 && !same_side(value, before)) {
-    value = 0;
-  }
-  if (magnitude(value) > most) {
-    value = static_cast<int16_t>(value < 0 ? -most : most);
-  }
-  return Demand(value);
+// Nearer to zero than `most`, and not beyond zero.
+Demand bounded(Demand wanted, Demand last, int16_t most) {
+  const int16_t high = last < Demand(0) ? int16_t{0} : most;
+  const int16_t low = last > Demand(0) ? int16_t{0} : static_cast<int16_t>(-most);
+  return Demand(wanted.count() > high ? high : wanted.count() < low ? low : wanted.count());
 }
 
 }  // namespace
 
 Wheels DriveGate::pass(const Wheels& wanted, const GateFacts& facts) {
-  has_refused_ = has_refused_ || !is_sane(wanted.left.count()) || !is_sane(wanted.right.count());
-  const bool may_rise = facts.may_drive && facts.general_age <= limits::stale_general;
-  Wheels granted;
-  if (facts.allows_torque) {  // H-13
-    granted.left = pass_one(wanted.left, last_.left, may_rise, facts.is_limping);
-    granted.right = pass_one(wanted.right, last_.right, may_rise, facts.is_limping);
+  const Wheels sane{checked(wanted.left), checked(wanted.right)};
+  if (!facts.allows_torque) {  // H-13
+    last_ = Wheels();
+    return last_;
   }
-  last_ = granted;
-  return granted;
+  const int16_t left = magnitude(last_.left.count());
+  const int16_t right = magnitude(last_.right.count());
+  const bool may_rise = facts.may_drive && facts.general_age <= limits::stale_general;
+  if (may_rise) {
+    last_.left = bounded(sane.left, last_.left, driving_ceiling(left, facts.is_limping));
+    last_.right = bounded(sane.right, last_.right, driving_ceiling(right, facts.is_limping));
+  } else {  // SB-2.17, H-01, H-04
+    const int16_t fallen = fallen_from(left > right ? left : right);
+    last_.left = bounded(sane.left, last_.left, smaller(left, fallen));
+    last_.right = bounded(sane.right, last_.right, smaller(right, fallen));
+  }
+  return last_;
+}
+
+// A demand that claims to exceed full voltage is none at all.
+Demand DriveGate::checked(Demand wanted) {
+  if (wanted >= -full_demand && wanted <= full_demand) {
+    return wanted;
+  }
+  has_refused_ = true;
+  return Demand(0);
 }
 
 }  // namespace spm

@@ -1,7 +1,8 @@
 // The last gate before the motors. It trusts nobody: not the ramps, not the settings, not the inhibits' authors.
 // Whatever it is handed, what comes out keeps these rules, each millisecond:
 //
-//   1. Without leave to drive, or without a fresh general, the demand only falls, fast enough to be zero in time.
+//   1. Without leave to drive, or without a fresh general, no wheel's demand grows, and the larger one falls fast
+//      enough to be zero in time; the other is never larger, so that a stop may keep its curve.
 //   2. No torque against an engaged brake.
 //   3. The demand never rises faster than the hard limit and never changes sign without passing zero.
 //   4. Limping, it never exceeds the hard ceiling, and falls to it if it was above.
@@ -28,6 +29,8 @@ class DriveGate {
   bool has_refused() const { return has_refused_; }
 
  private:
+  Demand checked(Demand wanted);
+
   Wheels last_;
   bool has_refused_ = false;
 };

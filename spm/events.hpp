@@ -15,6 +15,7 @@ enum class EventCode : uint8_t {
   powered_down = 6,        // argument: 0 confirmed, 1 remote gone
   answer_too_late = 7,     // a turn was earned but the slot had passed
   time_was_lost = 8,       // the loop stood still; argument: milliseconds, at most 255
+  hhp_data_lost = 9,       // SB-02.1: more came than was taken; argument: characters, those that were lost first
   corrupt_packets = 16,    // faults from here on: SB-2.14
   general_missing = 17,    // SB-2.15
   joystick_error = 18,     // SB-00.6

@@ -21,7 +21,7 @@ enum class Speaker : uint8_t { idle, armed, speaking };
 
 struct Inputs {
   // Characters from the bus since the last step, oldest first, our own excluded.
-  base::Array<base::HeardByte, 4> heard = {};
+  base::Array<base::HeardByte, 12> heard = {};
   uint8_t heard_count = 0;
   base::Stamp stamp;  // the time of this step on the scale of the heard bytes
   Speaker speaker = Speaker::idle;

@@ -4,7 +4,9 @@
 #include <stdint.h>
 
 #include "bus/shark/packets.hpp"
+#include "bus/shark/turn.hpp"
 #include "drivers/base/time.hpp"
+#include "drivers/base/turn_sender.hpp"
 #include "drivers/base/units.hpp"
 #include "faults/link_supervisor.hpp"
 #include "spm/outputs.hpp"
@@ -14,7 +16,11 @@ namespace limits {
 
 using namespace base;  // literals
 
-constexpr Millis cycle = 20_ms;  // SB-2.2
+constexpr Millis cycle = 20_ms;          // SB-2.2
+constexpr Millis house_keeping = 10_ms;  // between two looks at what changes slowly: battery, supply, gauge, LED
+// Of the first one, counted back from the start: it is due 5 ms later, and the raster lies between that of remotes which
+// begin to speak at a multiple of 10 ms.
+constexpr Millis first_house_keeping = 5_ms;
 
 // Link supervision
 constexpr faults::LinkSupervisor::Limits link{
@@ -54,6 +60,13 @@ constexpr Millis gauge_settle = 500_ms;               // SB-01.1
 constexpr uint8_t gauge_full = 18;                    // SB-01.1
 constexpr uint8_t speedo_full = 31;                   // SB-01.7
 
+// SB-2.2: a byte of 286.5 us, and the 50 us between two that the document's examples allow.
+constexpr uint16_t slow_byte = 337;  // microseconds
+static_assert(bus::shark::Turn::capacity * slow_byte <= 8500, "SB-2.2: so HHP data and settings may share a turn");
+// The longest turns of the others: general, HHP data, calibration and TF; general, calibration and TF.
+static_assert((9 + 10 + 3 + 1 + bus::shark::Turn::capacity + 8 + 3 + 1) * uint32_t{slow_byte} <= cycle.count() * 1000,
+              "SB-2.2: all of them must fit into a cycle");
+static_assert(bus::shark::Turn::capacity <= base::TurnSender::capacity, "the longest turn must fit the transmitter");
 static_assert(link.silence.count() > 3 * 20000U, "SB-2.15: three cycles of 20 ms and a little more must fit");
 static_assert(settings_every * cycle.count() <= longest_without_settings.count(), "SB-0A.1: at least once a second");
 static_assert(full_demand.count() / least_fall.count() <= 1500, "SB-2.17: zero within 1500 ms");

@@ -1,4 +1,4 @@
-// Everything between a driver's stick and the wheels: targets, brakes, ramps, and the gate at the end.
+// Everything between a driver's stick and the wheels: command, brakes, ramps, and the gate at the end.
 #pragma once
 
 #include <stdint.h>
@@ -26,7 +26,7 @@ class Motion {
   // A general's stick; counts from the next step on.
   void command(const Stick& stick) {
     stick_ = stick;
-    are_targets_stale_ = true;
+    is_command_stale_ = true;
   }
 
   // One millisecond.
@@ -46,8 +46,8 @@ class Motion {
   DriveProfile profile_ = {};
   ParkBrake::Times brake_times_ = {};
   Stick stick_;
-  Wheels targets_;
-  bool are_targets_stale_ = true;
+  Command command_;
+  bool is_command_stale_ = true;
   bool was_limping_ = false;
   Ramps ramps_;
   ParkBrake park_brake_;

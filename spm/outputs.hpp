@@ -20,8 +20,9 @@ enum class Latch : uint8_t { as_it_is, hold, release };
 using bus::shark::Speech;
 
 struct Outputs {
-  // All but `speech` and `turn` repeats the step before: the pins need not be written again.
-  bool are_pins_as_before = false;
+  // What repeats the step before need not be written to the pins again: motors, brakes, bridge and relay; all others.
+  bool are_motors_as_before = false;
+  bool are_switches_as_before = false;
 
   Demand left;
   Demand right;
@@ -37,6 +38,9 @@ struct Outputs {
 
   Latch latch = Latch::as_it_is;
 
+  bool is_time_pressing = false;  // a millisecond is too coarse a grain for the next steps
+  // So many characters from now on nothing needs to be done, unless time passes.
+  uint8_t awaited = 0;
   Speech speech = Speech::as_it_is;
   base::Span<const uint8_t> turn;  // valid until the next step
 };

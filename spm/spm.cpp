@@ -10,25 +10,30 @@ using namespace bus::shark;  // packets
 namespace {
 constexpr uint8_t longest_catch_up = 5;  // milliseconds done at once after the loop was held up
 constexpr Millis longest_wait = 2_ms;    // for the bus, before a millisecond's work is done all the same
+
+// A pass for a packet's beginning, one shortly before its end, so that the last has little left to do, and the last.
+constexpr uint8_t characters_to_let_pass(uint8_t missing) {
+  return missing > 3 ? static_cast<uint8_t>(missing - 2) : missing;
+}
+
 }  // namespace
 
 const Outputs& Spm::step(const Inputs& in, Instant now) {
+  outputs_.are_motors_as_before = outputs_.are_switches_as_before = true;
   if (!is_started_) {
     start(in, now);
   }
   responder_.begin_step();
   hear(in, now);
-  link_.poll(now, in.stamp);
-  if ((has_news_ || link_.is_silent()) && responder_.speech() == Speech::as_it_is) {
+  if (link_.poll(now, in.stamp)) {
+    has_news_ = true;
+  }
+  if (has_news_ && !responder_.has_answer()) {
     supervise(in, now);
   }
-  // The bus goes first: a millisecond's work must not delay the answer. But no bus puts it off for long (H-23).
-  const Millis late = now - last_step_;
-  const bool is_bus_first = framer_.is_nearly_complete() || responder_.has_answer();
-  outputs_.are_pins_as_before = late == 0_ms || (is_bus_first && late <= longest_wait);
-  if (!outputs_.are_pins_as_before) {
-    every_millisecond(in, now);
-  }
+  do_timed_work(in, now);
+  outputs_.is_time_pressing = link_.is_near_silence();
+  outputs_.awaited = characters_to_let_pass(framer_.missing());
   outputs_.speech = responder_.speech();
   outputs_.turn = responder_.turn().bytes();
   return outputs_;
@@ -41,6 +46,8 @@ void Spm::start(const Inputs& in, Instant now) {
   power_.start(now);
   fuel_gauge_.start(now);
   record(EventCode::started, in.start == Start::unexpected, now);
+  keep_house(in, now);
+  kept_house_ = now + Millis(0U - limits::first_house_keeping.count());
 }
 
 // ---- hear: bytes to verdicts to packets
@@ -49,12 +56,13 @@ void Spm::hear(const Inputs& in, Instant now) {
   if (in.wake) {  // SB-1.3: what is heard now is neither a packet nor a corrupt one
     framer_.reset();
     responder_.hush();
+    turn_of_ = Sender::nobody;
     return;
   }
   if (in.echo_differed) {  // SB-1.4
     record(EventCode::echo_differed, 0, now);
   }
-  if (in.heard_count == 0) {
+  if (in.heard_count == 0 && framer_.is_overdue(in.stamp)) {
     take_verdict(framer_.poll(in.stamp), in, framer_.last_byte(), now);
   }
   for (uint8_t i = 0; i < in.heard_count; ++i) {
@@ -103,11 +111,22 @@ void Spm::take_frame(const Frame& frame, const Inputs& in, Stamp at, Instant now
     case Type::sr_hhp_data:
       if (phase_ == Phase::running) {  // SB-4.4: in the power-up phase only a power-up packet counts
         power_.heard(now);
+        take_hhp_data(decode_sr_hhp_data(frame), now);
       }
       break;
+    case Type::joystick_calibration:
+      take_calibration(decode_joystick_calibration(frame));
+      break;
     case Type::factory_test:
-      record(EventCode::factory_test_heard, frame.data[0] & 0x0F, now);
+      record(EventCode::factory_test_heard, decode_factory_test(frame).command, now);
       break;  // SB-07.1
+    case Type::sacu_general:
+      turn_of_ = Sender::attendant;
+      attendant_general_ = decode_sacu_general(frame);
+      break;
+    case Type::sacu_power_up:
+      attendant_ = decode_sacu_power_up(frame);
+      break;
     default:
       break;
   }
@@ -125,6 +144,7 @@ void Spm::take_power_up(const Frame& frame, const Inputs& in, Instant now) {
     link_.restarted();
     has_restarted_ = true;
     general_ = SrGeneral();
+    forget_others();
   }
   phase_ = Phase::greeting;
   remote_ = decode_sr_power_up(frame);
@@ -138,6 +158,7 @@ void Spm::take_general(const Frame& frame, const Inputs& in, Stamp at, Instant n
     return;
   }
   phase_ = Phase::running;  // SB-3.3
+  turn_of_ = Sender::remote;
   general_ = decode_sr_general(frame);
   const Millis period = now - general_at_;
   general_at_ = now;
@@ -168,6 +189,32 @@ void Spm::take_general(const Frame& frame, const Inputs& in, Stamp at, Instant n
   answer_general(period, now);
 }
 
+void Spm::take_hhp_data(const HhpData& data, Instant now) {
+  const bool was_losing = programmer_.is_losing();
+  const uint8_t lost = programmer_.hear(data);
+  if (lost != 0 && !was_losing) {
+    record(EventCode::hhp_data_lost, lost, now);  // SB-02.1
+  }
+}
+
+// SB-06.1: whose progress it is tells the general that came before it in the same turn.
+void Spm::take_calibration(const JoystickCalibration& progress) {
+  if (turn_of_ == Sender::remote) {
+    remote_calibration_ = progress;
+  } else if (turn_of_ == Sender::attendant) {
+    attendant_calibration_ = progress;
+  }
+}
+
+// The remote begins anew, so everybody does.
+void Spm::forget_others() {
+  programmer_.clear();
+  attendant_.reset();
+  attendant_general_.reset();
+  remote_calibration_ = JoystickCalibration();
+  attendant_calibration_ = JoystickCalibration();
+}
+
 // ---- supervise: what is wrong, and what it forbids
 
 void Spm::supervise(const Inputs& in, Instant now) {
@@ -181,8 +228,9 @@ void Spm::look_for_faults(const Inputs& in, Instant now) {
   has_restarted_ = false;
   if (!begun.empty()) {
     for (uint8_t i = 0; i < fault_count; ++i) {
-      if (begun.has(static_cast<Fault>(i))) {
-        events_.record(from_flash(fault_rows[i]).event, 0, now);
+      const uint8_t event = from_flash(fault_rows[i].event);
+      if (begun.has(static_cast<Fault>(i)) && event != 0) {
+        events_.record(event, 0, now);
       }
     }
   }
@@ -242,6 +290,7 @@ void Spm::answer_power_up() {
 void Spm::answer_general(Millis period, Instant now) {
   Turn& turn = responder_.open();
   turn.add(encode(report()));  // SB-2.7: general first
+  programmer_.add_to(turn, general_.hhp_may_send);
   // SB-0A.1: as often as real modules, but never so late that the answer after this one would exceed the second.
   if (until_settings_ == 0 || now - settings_at_ + period > limits::longest_without_settings) {
     turn.add(encode(reported_settings()));
@@ -253,8 +302,12 @@ void Spm::answer_general(Millis period, Instant now) {
 }
 
 void Spm::end_turn(const Inputs& in, Micros age, Micros latest, Instant now) {
+  turn_of_ = Sender::nobody;
+  const bool is_earned = responder_.is_earned();
   if (!responder_.finish(in.speaker == Speaker::speaking, age, latest)) {
     record(EventCode::answer_too_late, 0, now);
+  } else if (is_earned) {
+    programmer_.left();
   }
 }
 
@@ -286,11 +339,26 @@ SpmSettings Spm::reported_settings() const {
   return reported;
 }
 
-// ---- act: motors, brakes, supply, once a millisecond
+// ---- act: motors and brakes once a millisecond, the rest once in ten
 
-void Spm::every_millisecond(const Inputs& in, Instant now) {
+// The bus goes first: no work may delay the answer, so it waits while a packet or an answer is near. But no bus puts it
+// off for long (H-23).
+void Spm::do_timed_work(const Inputs& in, Instant now) {
+  const bool is_bus_first = framer_.is_nearly_complete() || responder_.has_answer();
   const Millis late = now - last_step_;
-  supervise(in, now);
+  const bool is_due = late != 0_ms && (!is_bus_first || late > longest_wait);
+  if (is_due) {
+    move(late, now);
+  }
+  if (is_due && now - kept_house_ >= limits::house_keeping) {
+    keep_house(in, now);
+  } else if (!is_bus_first && programmer_.has_work()) {
+    echo(programmer_);
+    programmer_.prepare();
+  }
+}
+
+void Spm::move(Millis late, Instant now) {
   if (late > Millis(longest_catch_up)) {
     record(EventCode::time_was_lost, narrow<uint8_t>(late > 255_ms ? 255U : late.count()), now);
     last_step_ = now + Millis(0U - uint32_t{longest_catch_up});
@@ -308,7 +376,13 @@ void Spm::every_millisecond(const Inputs& in, Instant now) {
   outputs_.left_brake = outputs_.right_brake = motion_.are_brakes_released() ? Brake::released : Brake::engaged;
   outputs_.bridge_enabled = motion_.are_brakes_released();
   outputs_.relay_closed = motion_.are_brakes_released() || leave.may_drive;
+  outputs_.are_motors_as_before = false;
+}
 
+void Spm::keep_house(const Inputs& in, Instant now) {
+  kept_house_ = now;
+  outputs_.are_switches_as_before = false;
+  supervise(in, now);
   fuel_gauge_.step(in.battery, settings_, now);
   led_.step(faults_.summary().system_state, now);
   outputs_.status_led = led_.is_on();

@@ -6,6 +6,7 @@
 
 #include "bus/shark/codec.hpp"
 #include "bus/shark/framer.hpp"
+#include "bus/shark/packet_table.hpp"
 #include "bus/shark/packets.hpp"
 #include "bus/shark/responder.hpp"
 #include "faults/event.hpp"
@@ -22,6 +23,7 @@
 #include "spm/operating_mode.hpp"
 #include "spm/outputs.hpp"
 #include "spm/power.hpp"
+#include "spm/programmer.hpp"
 #include "spm/settings.hpp"
 #include "spm/status_led.hpp"
 
@@ -54,6 +56,12 @@ class Spm {
   FaultSet active_faults() const { return faults_.active(); }
   const faults::EventRing& events() const { return events_; }
   const bus::shark::SrPowerUp& remote() const { return remote_; }
+  const bus::shark::JoystickCalibration& remote_calibration() const { return remote_calibration_; }
+  // The attendant control, as far as it was heard since the remote began.
+  const base::Optional<bus::shark::SacuPowerUp>& attendant() const { return attendant_; }
+  const base::Optional<bus::shark::SacuGeneral>& attendant_general() const { return attendant_general_; }
+  const bus::shark::JoystickCalibration& attendant_calibration() const { return attendant_calibration_; }
+  const Programmer& programmer() const { return programmer_; }
   const Settings& settings() const { return settings_; }
 
  private:
@@ -64,7 +72,10 @@ class Spm {
   void take_frame(const bus::shark::Frame& frame, const Inputs& in, base::Stamp at, base::Instant now);
   void take_power_up(const bus::shark::Frame& frame, const Inputs& in, base::Instant now);
   void take_general(const bus::shark::Frame& frame, const Inputs& in, base::Stamp at, base::Instant now);
+  void take_hhp_data(const bus::shark::HhpData& data, base::Instant now);
+  void take_calibration(const bus::shark::JoystickCalibration& progress);
   void take_corrupt();
+  void forget_others();
 
   void supervise(const Inputs& in, base::Instant now);
   void look_for_faults(const Inputs& in, base::Instant now);
@@ -78,7 +89,9 @@ class Spm {
   bus::shark::SpmSettings reported_settings() const;
   void end_turn(const Inputs& in, base::Micros age, base::Micros latest, base::Instant now);
 
-  void every_millisecond(const Inputs& in, base::Instant now);
+  void do_timed_work(const Inputs& in, base::Instant now);
+  void move(base::Millis late, base::Instant now);
+  void keep_house(const Inputs& in, base::Instant now);
   void manage_power(const Inputs& in, base::Instant now);
 
   void record(EventCode code, uint8_t argument, base::Instant now) {
@@ -95,6 +108,12 @@ class Spm {
   bus::shark::SrPowerUp remote_;
   bus::shark::SrGeneral general_;
   base::Instant general_at_;
+  bus::shark::Sender turn_of_ = bus::shark::Sender::nobody;  // whose general the turn being heard began with
+  bus::shark::JoystickCalibration remote_calibration_;
+  base::Optional<bus::shark::SacuPowerUp> attendant_;
+  base::Optional<bus::shark::SacuGeneral> attendant_general_;
+  bus::shark::JoystickCalibration attendant_calibration_;
+  Programmer programmer_;
   bool has_news_ = false;       // something was heard that the fault rows have not seen
   bool has_restarted_ = false;  // SB-3.4, until the fault rows have seen it
   OperatingMode mode_;
@@ -104,7 +123,7 @@ class Spm {
 
   faults::Manager<Fault, fault_count> faults_;
   bool is_stopping_ = false;  // an emergency stop is on its way (SB-2.17)
-  Inhibits inhibits_;
+  Inhibits inhibits_ = Inhibits::of(Inhibit::no_general_yet);  // never empty before it has been weighed
   faults::EventRing events_;
 
   Motion motion_;
@@ -114,7 +133,8 @@ class Spm {
 
   bool is_started_ = false;
   bool was_wake_ = true;
-  base::Instant last_step_;
+  base::Instant last_step_;   // of the motors
+  base::Instant kept_house_;  // last time of the slower rest
   Outputs outputs_;
 };
 

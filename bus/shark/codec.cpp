@@ -1,6 +1,7 @@
 #include "bus/shark/codec.hpp"
 
 #include "bus/shark/fields.hpp"
+#include "bus/shark/packet_table.hpp"
 #include "drivers/base/bits.hpp"
 #include "drivers/base/flash.hpp"
 
@@ -9,19 +10,36 @@ namespace shark {
 
 namespace {
 
-using Data = base::Span<const uint8_t>;
-
-// SB-5.3: the least data of each type that is sent to us; 0 = not for us, or reserved (SB-5.1).
-const uint8_t least_data[16] IN_FLASH = {6, 0, 1, 0, 6, 0, 1, 3, 6, 7, 0, 0, 0, 0, 0, 0};
-
 __attribute__((always_inline)) inline JoystickReading reading(const uint8_t* data, base::Field high, base::Field low) {
   return JoystickReading(static_cast<uint16_t>(base::read(data, high) * 8U + base::read(data, low)));
+}
+
+__attribute__((always_inline)) inline PotReading pot_reading(const uint8_t* data, base::Field high, base::Field low) {
+  return PotReading(static_cast<uint8_t>(base::read(data, high) * 2U + base::read(data, low)));
+}
+
+// Two parts of a byte that bit 7's marker leaves no room for: its highest bit, and the rest.
+__attribute__((always_inline)) inline uint8_t whole_byte(const uint8_t* data, base::Field high, base::Field low) {
+  return static_cast<uint8_t>((base::read(data, high) << 7) | base::read(data, low));
+}
+
+__attribute__((always_inline)) inline uint32_t serial_number(const uint8_t* data, base::Field high, base::Field middle,
+                                                             base::Field low) {
+  return (static_cast<uint32_t>(base::read(data, high)) << 14) |
+         (static_cast<uint16_t>(base::read(data, middle)) << 7) | base::read(data, low);
+}
+
+__attribute__((always_inline)) inline Frame empty_frame(Type type) {
+  Frame frame;
+  frame.type = static_cast<uint8_t>(type);
+  frame.length = data_said(type);
+  return frame;
 }
 
 }  // namespace
 
 Admission admit(const Frame& frame) {
-  const uint8_t least = base::flash_byte(&least_data[frame.type & 0x0F]);
+  const uint8_t least = base::flash_byte(&packet_table[frame.type % type_count].least_heard);  // SB-5.3
   if (least == 0) {
     return Admission::unknown;
   }
@@ -34,7 +52,7 @@ SrGeneral decode_sr_general(const Frame& frame) {
   SrGeneral packet;
   packet.speed = reading(data, at::speed_high, at::speed_low);              // SB-00.1
   packet.direction = reading(data, at::direction_high, at::direction_low);  // SB-00.1
-  packet.pot = PotReading(static_cast<uint8_t>(base::read(data, at::pot_high) * 2U + base::read(data, at::pot_low)));
+  packet.pot = pot_reading(data, at::pot_high, at::pot_low);
   packet.joystick_error = base::is_set(data, at::joystick_error);
   packet.pot_error = base::is_set(data, at::pot_error);
   packet.local_fault = base::is_set(data, at::local_fault);
@@ -65,8 +83,7 @@ SrPowerUp decode_sr_power_up(const Frame& frame) {
   packet.remote_type = base::read(data, at::remote_type);
   packet.year = base::read(data, at::year);
   packet.month = base::read(data, at::month);
-  packet.serial = (static_cast<uint32_t>(base::read(data, at::serial_high)) << 14) |
-                  (static_cast<uint16_t>(base::read(data, at::serial_middle)) << 7) | base::read(data, at::serial_low);
+  packet.serial = serial_number(data, at::serial_high, at::serial_middle, at::serial_low);
   packet.version = frame.length > at::version.byte ? base::read(data, at::version) : uint8_t{0};
   if (frame.length > at::lighting.byte) {  // SB-04.2
     packet.supports_actuators = base::is_set(data, at::actuators);
@@ -79,21 +96,73 @@ SrPowerUp decode_sr_power_up(const Frame& frame) {
   return packet;
 }
 
-Packet::Packet(Type type, base::Span<const uint8_t> data) : bytes_(), size_(static_cast<uint8_t>(data.size() + 2)) {
-  uint8_t* to = bytes_.items;
-  uint8_t sum = start_byte(type, data.size());
-  *to++ = sum;
-  for (const uint8_t byte : data) {
-    const uint8_t marked = static_cast<uint8_t>(byte | marker_bit);  // SB-2.4
-    *to++ = marked;
-    sum = static_cast<uint8_t>(sum + marked);
-  }
-  *to = checksum(sum);  // SB-2.5
+HhpData decode_sr_hhp_data(const Frame& frame) {
+  HhpData packet;
+  packet.characters = frame.data;
+  packet.count = frame.length;
+  return packet;
 }
 
-Packet encode(const SpmGeneral& packet) {
+JoystickCalibration decode_joystick_calibration(const Frame& frame) {  // SB-06.1
+  namespace at = joystick_calibration;
+  const uint8_t* data = frame.data.items;
+  JoystickCalibration packet;
+  packet.second_pass = base::is_set(data, at::second_pass);
+  packet.neutral_seen = base::is_set(data, at::neutral_seen);
+  packet.forward_seen = base::is_set(data, at::forward_seen);
+  packet.reverse_seen = base::is_set(data, at::reverse_seen);
+  packet.left_seen = base::is_set(data, at::left_seen);
+  packet.right_seen = base::is_set(data, at::right_seen);
+  return packet;
+}
+
+FactoryTest decode_factory_test(const Frame& frame) {  // SB-07.1
+  namespace at = factory_test;
+  const uint8_t* data = frame.data.items;
+  FactoryTest packet;
+  packet.is_for_sacu = base::is_set(data, at::is_for_sacu);
+  packet.command = base::read(data, at::command);
+  packet.address = whole_byte(data, at::address_high, at::address_low);
+  packet.data = whole_byte(data, at::data_high, at::data_low);
+  return packet;
+}
+
+SacuGeneral decode_sacu_general(const Frame& frame) {  // SB-08.1
+  namespace at = sacu_general;
+  const uint8_t* data = frame.data.items;
+  SacuGeneral packet;
+  packet.speed = reading(data, at::speed_high, at::speed_low);
+  packet.direction = reading(data, at::direction_high, at::direction_low);
+  packet.pot = pot_reading(data, at::pot_high, at::pot_low);
+  packet.joystick_error = base::is_set(data, at::joystick_error);
+  packet.pot_error = base::is_set(data, at::pot_error);
+  packet.local_fault = base::is_set(data, at::local_fault);
+  packet.calibration_active = base::is_set(data, at::calibration_active);
+  packet.attendant = base::is_set(data, at::attendant);
+  packet.non_critical_fault = base::is_set(data, at::non_critical_fault);
+  packet.drive_inhibit = base::is_set(data, at::drive_inhibit);
+  packet.requested_mode = base::read(data, at::requested_mode);
+  return packet;
+}
+
+SacuPowerUp decode_sacu_power_up(const Frame& frame) {  // SB-09.1
+  namespace at = sacu_power_up;
+  const uint8_t* data = frame.data.items;
+  SacuPowerUp packet;
+  packet.year = base::read(data, at::year);
+  packet.month = base::read(data, at::month);
+  packet.serial = serial_number(data, at::serial_high, at::serial_middle, at::serial_low);
+  packet.version = base::read(data, at::version);
+  packet.supports_actuator2 = base::is_set(data, at::actuator2);
+  packet.supports_actuator1 = base::is_set(data, at::actuator1);
+  packet.has_speed_control = base::is_set(data, at::speed_control);
+  return packet;
+}
+
+Frame encode(const SpmGeneral& packet) {
   namespace at = spm_general;
-  uint8_t data[7] = {};
+  Frame frame = empty_frame(Type::spm_general);
+  uint8_t* data = frame.data.items;
   base::put(data, at::locked, packet.locked);
   base::put(data, at::slowdown, packet.slowdown);
   base::put(data, at::fuel_gauge, packet.fuel_gauge);
@@ -127,26 +196,35 @@ Packet encode(const SpmGeneral& packet) {
   base::put(data, at::operating_mode, packet.operating_mode);
   base::put(data, at::sacu_mode_invalid, packet.sacu_mode_invalid);
   base::put(data, at::speedo, packet.speedo);
-  return Packet(Type::spm_general, Data(data, sizeof data));
+  return frame;
 }
 
-Packet encode(const SpmPowerUp& packet) {
+Frame encode(const HhpData& packet) {
+  Frame frame = empty_frame(Type::spm_hhp_data);
+  frame.length = packet.count;
+  frame.data = packet.characters;
+  return frame;
+}
+
+Frame encode(const SpmPowerUp& packet) {
   namespace at = spm_power_up;
-  uint8_t data[1] = {};
+  Frame frame = empty_frame(Type::spm_power_up);
+  uint8_t* data = frame.data.items;
   base::put(data, at::actuator2, packet.supports_actuator2);
   base::put(data, at::actuator1, packet.supports_actuator1);
   base::put(data, at::lighting, packet.supports_lighting);
-  return Packet(Type::spm_power_up, Data(data, sizeof data));
+  return frame;
 }
 
-Packet encode(const SpmSettings& packet) {
+Frame encode(const SpmSettings& packet) {
   namespace at = spm_settings;
-  uint8_t data[2] = {};
+  Frame frame = empty_frame(Type::spm_settings);
+  uint8_t* data = frame.data.items;
   base::put(data, at::speedo_option, packet.speedo_option);
   base::put(data, at::click_on_keypress, packet.click_on_keypress);
   base::put(data, at::speed_button_sensitivity, packet.speed_button_sensitivity);
   base::put(data, at::joystick_switch_threshold, packet.joystick_switch_threshold);
-  return Packet(Type::spm_settings, Data(data, sizeof data));
+  return frame;
 }
 
 }  // namespace shark

@@ -71,6 +71,8 @@ constexpr base::Field sacu_mode_invalid{6, 5, 5};
 constexpr base::Field speedo{6, 4, 0};
 }  // namespace spm_general
 
+// Types 02 and 03 HHP data have no fields: each data byte is a character (SB-02.1, SB-03.1).
+
 // Type 04 SR power-up (SB-04.1)
 namespace sr_power_up {
 constexpr base::Field remote_type{0, 6, 0};
@@ -91,6 +93,57 @@ constexpr base::Field actuator2{0, 2, 2};
 constexpr base::Field actuator1{0, 1, 1};
 constexpr base::Field lighting{0, 0, 0};
 }  // namespace spm_power_up
+
+// Type 06 joystick calibration (SB-06.1)
+namespace joystick_calibration {
+constexpr base::Field second_pass{0, 5, 5};
+constexpr base::Field neutral_seen{0, 4, 4};
+constexpr base::Field forward_seen{0, 3, 3};
+constexpr base::Field reverse_seen{0, 2, 2};
+constexpr base::Field left_seen{0, 1, 1};
+constexpr base::Field right_seen{0, 0, 0};
+}  // namespace joystick_calibration
+
+// Type 07 factory test (SB-07.1)
+namespace factory_test {
+constexpr base::Field address_high{0, 6, 6};
+constexpr base::Field data_high{0, 5, 5};
+constexpr base::Field is_for_sacu{0, 4, 4};
+constexpr base::Field command{0, 3, 0};
+constexpr base::Field address_low{1, 6, 0};
+constexpr base::Field data_low{2, 6, 0};
+}  // namespace factory_test
+
+// Type 08 SACU general (SB-08.1)
+namespace sacu_general {
+constexpr base::Field speed_high{0, 6, 0};
+constexpr base::Field direction_high{1, 6, 0};
+constexpr base::Field pot_high{2, 6, 0};
+constexpr base::Field pot_low{3, 6, 6};
+constexpr base::Field speed_low{3, 5, 3};
+constexpr base::Field direction_low{3, 2, 0};
+constexpr base::Field joystick_error{4, 6, 6};
+constexpr base::Field pot_error{4, 5, 5};
+constexpr base::Field local_fault{4, 4, 4};
+constexpr base::Field calibration_active{4, 3, 3};
+constexpr base::Field attendant{4, 2, 2};
+constexpr base::Field non_critical_fault{4, 1, 1};
+constexpr base::Field drive_inhibit{4, 0, 0};
+constexpr base::Field requested_mode{5, 3, 0};
+}  // namespace sacu_general
+
+// Type 09 SACU power-up (SB-09.1)
+namespace sacu_power_up {
+constexpr base::Field year{0, 6, 0};
+constexpr base::Field month{1, 3, 0};
+constexpr base::Field serial_high{2, 6, 0};
+constexpr base::Field serial_middle{3, 6, 0};
+constexpr base::Field serial_low{4, 6, 0};
+constexpr base::Field version{5, 6, 0};
+constexpr base::Field actuator2{6, 2, 2};
+constexpr base::Field actuator1{6, 1, 1};
+constexpr base::Field speed_control{6, 0, 0};
+}  // namespace sacu_power_up
 
 // Type 0A SPM programmable settings (SB-0A.2)
 namespace spm_settings {

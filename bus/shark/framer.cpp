@@ -5,9 +5,7 @@ namespace shark {
 
 using namespace base;  // literals
 
-namespace {
-constexpr Micros longest_gap = 3036_us;  // SB-2.11: 3 ms from the end of the byte, 36 us after its stamp
-}
+constexpr Micros Framer::longest_gap;
 
 Verdict Framer::feed(const HeardByte& byte) {
   Verdict verdict;
@@ -52,7 +50,7 @@ void Framer::reset() {
 
 // SB-2.10, SB-2.11: 3 ms without a byte end whatever was going on.
 void Framer::end_overdue(Stamp now, Verdict& verdict) {
-  if (is_line_quiet_ || now - last_ < longest_gap) {
+  if (!is_overdue(now)) {
     return;
   }
   if (state_ == State::packet) {

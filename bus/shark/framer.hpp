@@ -29,14 +29,20 @@ struct Verdict {
 class Framer {
  public:
   Verdict feed(const base::HeardByte& byte);
-  // Call when no byte is waiting.
+  // Call when no byte is waiting. Only if is_overdue() there is a verdict.
   Verdict poll(base::Stamp now);
+  bool is_overdue(base::Stamp now) const { return !is_line_quiet_ && now - last_ >= longest_gap; }
 
   // The frame of the last `frame` verdict; valid until the next feed().
   const Frame& frame() const { return frame_; }
 
   // True while a packet lacks two bytes at most: its verdict is that near, so long work waits.
   bool is_nearly_complete() const { return state_ == State::packet && received_ + 1 >= frame_.length; }
+
+  // Characters until there will be a verdict, the one that brings it included; 0 if any next one may bring it.
+  uint8_t missing() const {
+    return state_ == State::packet ? static_cast<uint8_t>(frame_.length + 1 - received_) : uint8_t{0};
+  }
 
   // When the last byte came, as far as it is less than 65 ms ago.
   base::Stamp last_byte() const { return last_; }
@@ -45,6 +51,9 @@ class Framer {
   void reset();
 
  private:
+  // SB-2.11: 3 ms from the end of the byte, 36 us after its stamp.
+  static constexpr base::Micros longest_gap = base::Micros(3036);
+
   enum class State : uint8_t {
     idle,     // between packets
     packet,   // start byte seen

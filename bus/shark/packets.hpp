@@ -3,6 +3,8 @@
 
 #include <stdint.h>
 
+#include "bus/shark/frame.hpp"
+#include "drivers/base/span.hpp"
 #include "drivers/base/units.hpp"
 
 namespace bus {
@@ -100,6 +102,12 @@ struct SpmGeneral {
   uint8_t speedo = 0;  // 0 to 31
 };
 
+// Types 02 and 03: characters from and to the programmer behind the remote, 7 bits each.
+struct HhpData {
+  base::Array<uint8_t, longest_data> characters = {};
+  uint8_t count = 0;  // 1 to 8
+};
+
 // Type 04, from the remote until answered.
 struct SrPowerUp {
   uint8_t remote_type = 0;
@@ -117,6 +125,50 @@ struct SpmPowerUp {
   bool supports_actuator2 = false;
   bool supports_actuator1 = false;
   bool supports_lighting = false;
+};
+
+// Type 06, from the remote or the attendant control while its joystick is calibrated: what it has seen so far.
+struct JoystickCalibration {
+  bool second_pass = false;
+  bool neutral_seen = false;  // at the end
+  bool forward_seen = false;
+  bool reverse_seen = false;
+  bool left_seen = false;
+  bool right_seen = false;
+};
+
+// Type 07, from a test fixture to the remote or the attendant control; never for us.
+struct FactoryTest {
+  bool is_for_sacu = false;
+  uint8_t command = 0;  // 0 to 15
+  uint8_t address = 0;
+  uint8_t data = 0;
+};
+
+// Type 08, from the attendant control, after our turn.
+struct SacuGeneral {
+  JoystickReading speed = joystick_neutral;
+  JoystickReading direction = joystick_neutral;
+  PotReading pot;  // 0 from one without speed control (SB-08.3)
+  bool joystick_error = false;
+  bool pot_error = false;
+  bool local_fault = false;
+  bool calibration_active = false;
+  bool attendant = false;  // the switch: the attendant is to drive
+  bool non_critical_fault = false;
+  bool drive_inhibit = false;
+  uint8_t requested_mode = mode::drive;
+};
+
+// Type 09, from the attendant control until acknowledged.
+struct SacuPowerUp {
+  uint8_t year = 0;   // less 2000
+  uint8_t month = 0;  // 1 to 12
+  uint32_t serial = 0;
+  uint8_t version = 0;  // as SB-04.3
+  bool supports_actuator2 = false;
+  bool supports_actuator1 = false;
+  bool has_speed_control = false;
 };
 
 // Type 0A, ours, at least once a second.

@@ -51,6 +51,9 @@ class Responder {
     speech_ = Speech::hush;
   }
 
+  // The turn being heard will be answered.
+  bool is_earned() const { return is_earned_; }
+
   // At the beginning of a step: nothing new to say yet.
   void begin_step() { speech_ = Speech::as_it_is; }
   Speech speech() const { return speech_; }

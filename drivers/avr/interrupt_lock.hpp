@@ -8,6 +8,11 @@
 namespace drivers {
 namespace avr {
 
+// For a single byte, which needs no lock: what follows is read anew, whatever the compiler knows of it.
+inline void look_again() {
+  __asm__ __volatile__("" ::: "memory");
+}
+
 class InterruptLock {
  public:
   InterruptLock() : status_(SREG) {

@@ -8,6 +8,7 @@
 #include "drivers/avr/interrupt_lock.hpp"
 #include "drivers/avr/loop_call.hpp"
 #include "drivers/base/ring.hpp"
+#include "drivers/base/wake_count.hpp"
 
 namespace {
 
@@ -20,7 +21,7 @@ static_assert(divider == 12, "SB-2.1: 38462 bps from 8 MHz, 0.16 % fast");
 // RXC rises when the first stop bit is sampled; the frame ends 1.4 bit times = 36 us later. The answer starts
 // a little after that (SB-2.7), later by as much as interrupts take to respond.
 constexpr uint16_t from_receipt_to_answer = 44;
-constexpr uint16_t soon = 8;  // the line is idle already
+constexpr uint16_t soon = 8;           // the line is idle already
 constexpr uint16_t latest_arm = 1000;  // after a terminator's receipt; later the line may be somebody else's (SB-2.8)
 // A little more than 3 ms after the end of the frame, so that the loop finds the silence long enough (SB-2.11).
 constexpr uint16_t from_receipt_to_silence = 3045;
@@ -31,6 +32,7 @@ base::Ring<base::HeardByte, 32> heard;
 TurnSender sender;
 bool lost_one = false;       // a character found no room in `heard`
 uint16_t last_heard_at = 0;  // when somebody else's last character came
+base::WakeCount wake_count;
 
 }  // namespace
 
@@ -54,12 +56,15 @@ ISR(USART0_RX_vect) {
   last_heard_at = at;
   drivers::avr::schedule_silence(static_cast<uint16_t>(at + from_receipt_to_silence));
   lost_one = !heard.put(byte);
-  drivers::avr::call_loop();
+  if (lost_one || wake_count.heard() || byte.is_spoiled) {
+    drivers::avr::call_loop();
+  }
 }
 
-// The line has been silent.
-ISR(TIMER3_COMPA_vect) {
+// The line has been silent. One instruction that touches no flag, so nothing needs to be saved.
+ISR(TIMER3_COMPA_vect, ISR_NAKED) {
   drivers::avr::call_loop();
+  reti();
 }
 
 // The moment for a turn to begin.
@@ -104,7 +109,18 @@ void start() {
 }
 
 bool take(base::HeardByte& byte) {
-  return heard.take(byte);
+  if (!heard.take(byte)) {
+    return false;
+  }
+  wake_count.taken();
+  return true;
+}
+
+void expect(uint8_t count) {
+  avr::InterruptLock lock;
+  if (wake_count.expect(count)) {
+    avr::call_loop();
+  }
 }
 
 // An idle sender is read by nobody, so its bytes can be copied with interrupts on.
@@ -148,11 +164,15 @@ void hush() {
 }
 
 TurnSender::State state() {
-  avr::InterruptLock lock;
+  avr::look_again();
   return sender.state();
 }
 
 bool take_clash() {
+  avr::look_again();
+  if (!sender.has_clashed()) {
+    return false;
+  }
   avr::InterruptLock lock;
   return sender.take_clash();
 }

@@ -17,7 +17,7 @@ namespace base {
 
 class TurnSender {
  public:
-  // The longest turn: general 9 + settings 4 or HHP data 10, and TF (SB-2.2).
+  // The longest turn: general 9, HHP data 10, settings 4, TF (SB-2.2).
   static constexpr uint8_t capacity = 24;
 
   enum class State : uint8_t {
@@ -120,6 +120,8 @@ class TurnSender {
     sent_ = 0;
   }
 
+  // Whether an echo has differed since take_clash() was last asked.
+  bool has_clashed() const { return clashed_; }
   // Whether an echo differed since this was last asked.
   bool take_clash() {
     const bool clashed = clashed_;

@@ -15,5 +15,9 @@ base::Stamp stamp() {
   return host::selected().stamp;
 }
 
+void tick_twice(bool is_wanted) {
+  host::selected().is_ticking_twice = is_wanted;
+}
+
 }  // namespace clock
 }  // namespace drivers

@@ -11,6 +11,7 @@
 #include "drivers/base/ring.hpp"
 #include "drivers/base/time.hpp"
 #include "drivers/base/turn_sender.hpp"
+#include "drivers/base/wake_count.hpp"
 #include "drivers/bridge.hpp"
 #include "drivers/signals.hpp"
 #include "drivers/store.hpp"
@@ -30,6 +31,9 @@ struct Machine {
 
   // Filled by hear(), emptied by the firmware.
   base::Ring<base::HeardByte, 64> heard;
+  base::WakeCount wake_count;
+  bool is_loop_called = false;    // a character it waits for has come
+  bool is_ticking_twice = false;  // the loop turns twice in a millisecond
   // What a simulated transmitter takes its bytes from, once state() is `speaking`.
   base::TurnSender sender;
 
@@ -43,7 +47,8 @@ struct Machine {
   Machine() { eeprom.fill(0xFF); }
 
   // A character arrives at the receiver, at this machine's `stamp`. What is our own echo stays here.
-  void hear(std::uint8_t value, bool is_spoiled);
+  // False for such.
+  bool hear(std::uint8_t value, bool is_spoiled);
 
  private:
   bool lost_one_ = false;

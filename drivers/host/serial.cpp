@@ -22,7 +22,17 @@ bool make_idle(TurnSender& sender) {
 void start() {}
 
 bool take(base::HeardByte& byte) {
-  return host::selected().heard.take(byte);
+  host::Machine& machine = host::selected();
+  if (!machine.heard.take(byte)) {
+    return false;
+  }
+  machine.wake_count.taken();
+  return true;
+}
+
+void expect(uint8_t count) {
+  host::Machine& machine = host::selected();
+  machine.is_loop_called = machine.wake_count.expect(count) || machine.is_loop_called;
 }
 
 void arm(uint8_t terminator, base::Span<const uint8_t> turn) {
