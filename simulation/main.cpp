@@ -1,4 +1,4 @@
-// pilotfish: plays scenarios on the simulated chair.
+// pilotfish: plays scenarios on the simulated chair, and measures the image.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "simulation/bench/bench.hpp"
 #include "simulation/scenario/batch.hpp"
 #include "simulation/scenario/lexicon.hpp"
 
@@ -23,11 +24,13 @@ constexpr const char* examples = R"(Examples
       every scenario on the image in simavr and on the host build; their bus transcripts must agree
   pilotfish run simulation/scenarios/first_drive.yaml --out build/first_drive
       also writes a plot (SVG), a waveform (VCD for GTKWave, PulseView, sigrok-cli) and the full log
+  pilotfish bench
+      answer times, bus, CPU load and interrupts of the image, on an idle bus and under the heaviest traffic
   pilotfish list-steps
       the words of the scenario language, with units and examples
 
 Exit codes
-  0  everything as expected    1  an expectation was not met, or the machines disagree
+  0  everything as expected    1  an expectation or a target was not met, or the machines disagree
   2  a file or the command line is wrong    3  the simulation itself failed)";
 
 // Beside this program, where the build puts the image: build/pilotfish and build/firmware/spm.elf.
@@ -51,6 +54,17 @@ void add_run(CLI::App& app, scenario::Order& order) {
   run->add_flag("-v,--verbose", order.is_verbose, "Tells on stderr how fast the simulation was");
 }
 
+void add_bench(CLI::App& app, bench::Order& order) {
+  auto* command = app.add_subcommand("bench", "Measures the image on an idle bus and under the heaviest traffic");
+  command->add_option("--minutes", order.minutes, "Simulated minutes of each")
+      ->check(CLI::Range(0.01, 1e5))
+      ->capture_default_str();
+  command->add_option("--image", order.image, "The image, ELF or HEX")->capture_default_str();
+  command->add_flag("--json", order.wants_json, "Prints JSON instead of tables");
+  command->add_option("--write", order.page, "Writes the page, docs/performance.md, into this file");
+  command->add_flag("--check", order.checks, "Exit code 1, and the number's name on stderr, if a target is missed");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -63,6 +77,9 @@ int main(int argc, char** argv) {
   order.image = default_image();
   order.palette = report::Palette(report::wants_colour(STDOUT_FILENO));
   add_run(app, order);
+  bench::Order bench_order;
+  bench_order.image = default_image();
+  add_bench(app, bench_order);
   app.add_subcommand("list-steps", "Prints every step, condition and fault of the scenario language");
 
   try {
@@ -73,6 +90,9 @@ int main(int argc, char** argv) {
   if (app.got_subcommand("list-steps")) {
     std::cout << scenario::tell_lexicon();
     return 0;
+  }
+  if (app.got_subcommand("bench")) {
+    return bench::run(bench_order, std::cout, std::cerr);
   }
   return scenario::play_all(order, std::cout, std::cerr);
 }

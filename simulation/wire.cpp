@@ -10,18 +10,25 @@ constexpr Time memory = 1ms;  // longer than any character
 
 }  // namespace
 
-void Wire::attach(WireEnd end, WireNode& node) {
-  Ear& ear = ears_[static_cast<std::size_t>(end)];
+void Wire::attach(WireEnd end, WireNode& node, Time now) {
+  Ear ear;
   ear.node = &node;
   ear.end = end;
+  ear.listens_from = now;
+  seek(ear);
+  ears_.push_back(ear);
+}
+
+void Wire::detach(const WireNode& node) {
+  std::erase_if(ears_, [&](const Ear& ear) { return ear.node == &node; });
 }
 
 void Wire::send(Sender sender, std::uint8_t value, Time start, const CharacterFormat& format) {
-  Character character{sender, value, value, false, start, format};
+  Character character{sender, value, value, false, false, start, format};
   faults_.pass(character);
   line_.add(character);
   for (Ear& ear : ears_) {
-    if (start < ear.edge) {
+    if (character.start < ear.edge) {
       seek(ear);
     }
   }
@@ -92,7 +99,11 @@ void Wire::babble_on() {
 }
 
 Time Wire::next_time() const {
-  return std::min(std::min(ears_[0].due, ears_[1].due), std::min(babble_at_, pulse_until_));
+  Time next = std::min(babble_at_, pulse_until_);
+  for (const Ear& ear : ears_) {
+    next = std::min(next, ear.due);
+  }
+  return next;
 }
 
 void Wire::advance(Time now) {
@@ -116,9 +127,6 @@ void Wire::advance(Time now) {
 // ---- the receivers
 
 void Wire::seek(Ear& ear) const {
-  if (ear.node == nullptr) {
-    return;
-  }
   ear.edge = line_.first_edge(ear.end, ear.listens_from);
   ear.due = never;
   if (ear.edge != never) {

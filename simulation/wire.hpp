@@ -1,11 +1,10 @@
-// The shared pair between remote and power module. Everybody hears everything, himself included, sampled by his own
-// clock; whoever is too fast or too slow is misread as a UART would misread him.
+// The shared pair between remote, power module and attendant control. Everybody hears everything, himself included,
+// sampled by his own clock; whoever is too fast or too slow is misread as a UART would misread him.
 //
 // Assumptions: time only goes forward; whatever is sent begins now or later; cable and wake do not change twice
 // within a character.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -34,8 +33,9 @@ class Wire {
  public:
   explicit Wire(std::uint64_t seed) : random_(seed) {}
 
-  // The node must outlive the wire.
-  void attach(WireEnd end, WireNode& node);
+  // It listens from `now` on, which is not before the wire's own time. A node must outlive the wire or be detached.
+  void attach(WireEnd end, WireNode& node, Time now = {});
+  void detach(const WireNode& node);
   // Every character once, in order of start, after its first stop bit. It is read at the power module's end.
   void on_byte(std::function<void(const BusByte&)> report) { report_ = std::move(report); }
   void on_wake(std::function<void(bool asserted, Time at)> wake) { tell_wake_ = std::move(wake); }
@@ -83,7 +83,7 @@ class Wire {
 
   Line line_;
   WireFaults faults_;
-  std::array<Ear, 2> ears_;
+  std::vector<Ear> ears_;  // in order of their attachment, which is the order of hearing
   std::function<void(const BusByte&)> report_;
   std::function<void(bool, Time)> tell_wake_;
   std::size_t reported_ = 0;  // of the line's characters

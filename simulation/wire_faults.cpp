@@ -12,9 +12,13 @@ int packet_size(std::uint8_t start) {
   return start == bus::shark::transmit_finished ? 1 : bus::shark::length_of(start) + 2;
 }
 
+// No sender pauses that long within a turn.
+constexpr Time between_turns = 5ms;
+
 }  // namespace
 
 void WireFaults::pass(Character& character) {
+  keep_late(character);
   Packet& packet = packets_[static_cast<std::size_t>(character.sender)];
   ++packet.place;
   if (!bus::shark::has_marker(character.sent)) {
@@ -38,7 +42,25 @@ void WireFaults::pass(Character& character) {
     case Disturbance::Way::drop:
       character.is_dropped = packet.place == fate.byte;
       break;
+    case Disturbance::Way::framing_error:
+      character.has_broken_stop_bit = packet.place == fate.byte;
+      break;
+    case Disturbance::Way::late_byte:
+      if (packet.place == fate.byte) {
+        turns_[static_cast<std::size_t>(character.sender)].late += fate.by;
+        character.start += fate.by;
+      }
+      break;
   }
+}
+
+void WireFaults::keep_late(Character& character) {
+  Turn& turn = turns_[static_cast<std::size_t>(character.sender)];
+  if (character.start - turn.planned > between_turns) {
+    turn.late = {};
+  }
+  turn.planned = character.start;
+  character.start += turn.late;
 }
 
 std::optional<Disturbance> WireFaults::take(const Character& start) {

@@ -98,7 +98,7 @@ Time Line::search_edge(WireEnd at, Time from) const {
     }
   };
   for (const Character& character : characters_) {
-    for (int bit = 0; bit < stop_bit; ++bit) {
+    for (int bit = 0; bit <= stop_bit; ++bit) {
       if (character.is_dominant(bit) && (bit == 0 || !character.is_dominant(bit - 1))) {
         consider(character.start + bit * character.format.bit);
       }
@@ -130,8 +130,9 @@ std::optional<Reception> Line::sample(WireEnd at, Time edge, Time bit) const {
 const Character* Line::only_character(WireEnd at, Time edge, Time bit) const {
   for (const Character& character : characters_) {
     if (character.start >= edge) {
-      const bool is_clear = character.start == edge && are_alike(character.format.bit, bit) &&
-                            is_plain(at, character) && is_alone(character, sampled_by(edge, bit));
+      const bool is_clear = character.start == edge && !character.has_broken_stop_bit &&
+                            are_alike(character.format.bit, bit) && is_plain(at, character) &&
+                            is_alone(character, sampled_by(edge, bit));
       return is_clear ? &character : nullptr;
     }
   }

@@ -13,7 +13,8 @@
 
 namespace simulation {
 
-// The remote sits at one end of the cable, the power module and whoever else speaks at the other.
+// The remote sits at one end of the cable; the power module, the attendant control and whoever else speaks at the
+// other.
 enum class WireEnd : std::uint8_t { remote, power_module };
 
 // How a transmitter forms its characters: start bit, 8 data bits, stop bits.
@@ -29,12 +30,15 @@ struct Character {
   std::uint8_t sent = 0;   // as the sender means it
   std::uint8_t value = 0;  // as it is on the line
   bool is_dropped = false;
+  bool has_broken_stop_bit = false;  // its first one is dominant
   Time start{};
   CharacterFormat format;
 
   WireEnd end() const { return sender == Sender::sr ? WireEnd::remote : WireEnd::power_module; }
-  Time quiet_from() const { return start + 9 * format.bit; }  // recessive from here on
-  bool is_dominant(int bit) const { return bit == 0 || (bit <= 8 && (value >> (bit - 1) & 1) == 0); }
+  Time quiet_from() const { return start + (has_broken_stop_bit ? 10 : 9) * format.bit; }  // recessive from here on
+  bool is_dominant(int bit) const {
+    return bit == 0 || (bit <= 8 && (value >> (bit - 1) & 1) == 0) || (bit == 9 && has_broken_stop_bit);
+  }
   bool is_dominant_at(Time time) const {
     return start <= time && time < quiet_from() && is_dominant(static_cast<int>((time - start) / format.bit));
   }

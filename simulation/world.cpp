@@ -9,17 +9,17 @@ namespace {
 constexpr Time tick = 1ms;
 constexpr Time supply_hold = 250ms;  // the capacitor at the power latch
 
-class RemoteNode final : public WireNode {
+// Remote or attendant control: a model with a clock of its own.
+template <typename Model>
+class ModelNode final : public WireNode {
  public:
-  explicit RemoteNode(Remote& remote) : remote_(remote) {}
-  CharacterFormat format() const {
-    return {Time(std::llround(remote_.timing.bit_us * 1000)), remote_.timing.stop_bits};
-  }
+  explicit ModelNode(Model& model) : model_(model) {}
+  CharacterFormat format() const { return {Time(std::llround(model_.timing.bit_us * 1000)), model_.timing.stop_bits}; }
   Time bit_time() const override { return format().bit; }
-  void hear(const Reception& reception) override { remote_.hear(reception); }
+  void hear(const Reception& reception) override { model_.hear(reception); }
 
  private:
-  Remote& remote_;
+  Model& model_;
 };
 
 class BoardNode final : public WireNode {
@@ -37,7 +37,7 @@ class BoardNode final : public WireNode {
 
 struct World::Parts {
   Parts(std::unique_ptr<SpmBoard> the_board, std::uint64_t seed)
-      : board(std::move(the_board)), wire(seed), remote_node(remote), board_node(*board) {
+      : board(std::move(the_board)), wire(seed), remote_node(remote), sacu_node(sacu), board_node(*board) {
     wire.attach(WireEnd::remote, remote_node);
     wire.attach(WireEnd::power_module, board_node);
     wire.on_byte([this](const BusByte& byte) { tell([&](Observer& observer) { observer.on_byte(byte); }); });
@@ -45,6 +45,8 @@ struct World::Parts {
     remote.on_wake([this](bool asserted, Time at) { wire.hold_wake(asserted, at); });
     remote.on_transmit(
         [this](std::uint8_t value, Time start) { wire.send(Sender::sr, value, start, remote_node.format()); });
+    sacu.on_transmit(
+        [this](std::uint8_t value, Time start) { wire.send(Sender::sacu, value, start, sacu_node.format()); });
     board->on_speak(
         [this](std::uint8_t value, Time start) { wire.send(Sender::spm, value, start, board_node.format()); });
     surround_board();
@@ -56,11 +58,14 @@ struct World::Parts {
   // Events of one moment happen in the order of these lines.
   void run_until(Time limit) {
     while (now < limit) {
-      const Time next = std::min({limit, next_tick, remote.next_time(), wire.next_time()});
+      const Time next = std::min({limit, next_tick, remote.next_time(), sacu.next_time(), wire.next_time()});
       now = std::clamp(board->run_until(next), now, next);  // less than asked for if it began a character
       wire.advance(now);
       if (remote.next_time() <= now) {
         remote.act(now);
+      }
+      if (sacu.next_time() <= now) {
+        sacu.act(now);
       }
       if (next_tick <= now) {
         next_tick += tick;
@@ -106,6 +111,7 @@ struct World::Parts {
     sample.at = now;
     sample.pins = board->pins();
     sample.spm_powered = board->is_powered();
+    sample.resets = board->statistics().resets;
     sample.controls = remote.controls;
     sample.chair = chair.state();
   }
@@ -120,8 +126,10 @@ struct World::Parts {
   std::unique_ptr<SpmBoard> board;
   Wire wire;
   Remote remote;
+  Sacu sacu;
   Chair chair;
-  RemoteNode remote_node;
+  ModelNode<Remote> remote_node;
+  ModelNode<Sacu> sacu_node;
   BoardNode board_node;
   Surroundings surroundings;
   Sample sample;
@@ -162,6 +170,22 @@ Wire& World::wire() {
 
 Remote& World::remote() {
   return parts_->remote;
+}
+
+Sacu& World::sacu() {
+  return parts_->sacu;
+}
+
+void World::attach_sacu() {
+  if (!sacu().is_attached()) {
+    sacu().attach();
+    parts_->wire.attach(WireEnd::power_module, parts_->sacu_node, now());
+  }
+}
+
+void World::detach_sacu() {
+  sacu().detach();
+  parts_->wire.detach(parts_->sacu_node);
 }
 
 Chair& World::chair() {

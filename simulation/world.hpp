@@ -1,5 +1,5 @@
-// Everything around one power module, in simulated time: wire, remote, chair, supply. A scenario talks to
-// this and to nothing below it.
+// Everything around one power module, in simulated time: wire, remote, attendant control, chair, supply. A scenario
+// talks to this and to nothing below it.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 #include "simulation/bus_event.hpp"
 #include "simulation/models/chair.hpp"
 #include "simulation/models/remote.hpp"
+#include "simulation/models/sacu.hpp"
 #include "simulation/time.hpp"
 #include "simulation/wire.hpp"
 
@@ -21,6 +22,7 @@ struct Sample {
   Time at{};
   Pins pins;
   bool spm_powered = false;
+  std::uint32_t resets = 0;  // of the chip, since power on
   RemoteControls controls;
   ChairState chair;
 };
@@ -48,7 +50,12 @@ class World {
   SpmBoard& board();
   Wire& wire();
   Remote& remote();
+  Sacu& sacu();  // not attached at first
   Chair& chair();
+
+  // Plugs the attendant control in, at the power module's end of the cable, or unplugs it.
+  void attach_sacu();
+  void detach_sacu();
 
   bool spm_powered() const;
   const Sample& latest() const;

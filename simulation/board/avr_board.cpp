@@ -23,6 +23,9 @@ class SimulatedChip final : public AvrBoard {
         adc_(core_),
         bus_uart_(core_, '0'),
         pins_(core_) {
+    if (options.watches_locks) {
+      core_.watch_locks();
+    }
     adc_.set_volts(Surroundings{}.analog_volts);
     bus_uart_.on_start([this](std::uint8_t value, Cycle at) {
       if (speak_) {
@@ -102,6 +105,11 @@ class SimulatedChip final : public AvrBoard {
   }
 
   std::vector<InterruptUse> interrupt_use() const override { return core_.interrupts().uses(); }
+
+  std::optional<InterruptsOff> interrupts_off() const override {
+    const AvrLockWatch* watch = core_.lock_watch();
+    return watch == nullptr ? std::nullopt : std::optional(watch->longest());
+  }
 
  private:
   AvrImage image_;

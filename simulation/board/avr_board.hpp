@@ -17,6 +17,7 @@ struct AvrBoardOptions {
   std::string mcu = "atmega1284p";
   std::uint32_t frequency = 8'000'000;
   std::int32_t clock_error_ppm = 0;  // positive: the crystal runs fast
+  bool watches_locks = false;        // for interrupts_off(); the same run in twice the time
 };
 
 // What only a simulated chip can tell, besides what every board does.
@@ -30,6 +31,8 @@ class AvrBoard : public SpmBoard {
   // Nothing without symbols.
   virtual std::optional<std::uint16_t> stack_low_water() const = 0;
   virtual std::vector<InterruptUse> interrupt_use() const = 0;  // by vector
+  // Since power-on. Nothing unless the options ask for it.
+  virtual std::optional<InterruptsOff> interrupts_off() const = 0;
 };
 
 // Not powered yet, EEPROM erased. Throws std::runtime_error: an image that is missing or no image, an unknown chip.

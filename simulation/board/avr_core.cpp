@@ -10,6 +10,7 @@ namespace {
 
 // simavr bounds a burst of instructions by the next timer anyway.
 constexpr avr_cycle_count_t burst_limit = 1'000'000;
+constexpr avr_cycle_count_t single_step = 1;
 constexpr std::size_t most_complaints = 100;
 constexpr std::size_t whole_data_space = 0x10000;
 
@@ -119,6 +120,11 @@ void AvrCore::run(Cycle target) {
   was_asleep_ = avr_->state == cpu_Sleeping;
 }
 
+void AvrCore::watch_locks() {
+  lock_watch_ = std::make_unique<AvrLockWatch>(*avr_);
+  interrupts_->tell(*lock_watch_);
+}
+
 void AvrCore::stop() {
   is_stopping_ = true;
   avr_->run_cycle_count = 0;
@@ -139,7 +145,11 @@ void AvrCore::step(Cycle target) {
 }
 
 void AvrCore::run_instructions() {
+  const avr_flashaddr_t address = avr_->pc;
   avr_->pc = avr_run_one(avr_);
+  if (lock_watch_) {
+    lock_watch_->after_instruction(address);
+  }
   if (avr_->state == cpu_Sleeping) {
     fall_asleep();
   }
@@ -227,7 +237,10 @@ void AvrCore::reset(ResetKind kind) {
 }
 
 void AvrCore::after_reset() {
-  avr_->run_cycle_limit = burst_limit;
+  avr_->run_cycle_limit = lock_watch_ ? single_step : burst_limit;
+  if (lock_watch_) {
+    lock_watch_->after_reset();
+  }
   // simavr forgets the registers but not what they had set.
   each_module<avr_timer_t>(*avr_, "timer", [](avr_timer_t& timer) {
     timer.mode = {};

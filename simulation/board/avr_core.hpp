@@ -8,6 +8,7 @@
 #include "simulation/board/avr_clock.hpp"
 #include "simulation/board/avr_image.hpp"
 #include "simulation/board/avr_interrupts.hpp"
+#include "simulation/board/avr_lock_watch.hpp"
 #include "simulation/board/avr_simavr.hpp"
 #include "simulation/board/spm_board.hpp"
 
@@ -37,6 +38,10 @@ class AvrCore {
   // `again` runs at the end of every reset, the watchdog's included: the place to re-arm timers and levels.
   void on_reset(std::function<void()> again) { reset_calls_.push_back(std::move(again)); }
 
+  // Watches how long interrupts are off, from now on; call before the first reset. Costs half the speed.
+  void watch_locks();
+  const AvrLockWatch* lock_watch() const { return lock_watch_.get(); }
+
   void complain(const std::string& text);
   BoardStatistics& statistics() { return statistics_; }
   const BoardStatistics& statistics() const { return statistics_; }
@@ -60,6 +65,7 @@ class AvrCore {
 
   avr_t* avr_ = nullptr;
   std::unique_ptr<AvrInterrupts> interrupts_;
+  std::unique_ptr<AvrLockWatch> lock_watch_;
   ResetHook reset_hook_{};
   std::vector<std::function<void()>> reset_calls_;
   BoardStatistics statistics_;

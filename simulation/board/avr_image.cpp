@@ -1,7 +1,10 @@
 #include "simulation/board/avr_image.hpp"
 
+#include <cxxabi.h>
 #include <elf.h>
+#include <fmt/format.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -47,10 +50,39 @@ void read_symbols(const Bytes& file, const Elf32_Ehdr& header, const Elf32_Shdr&
       continue;
     }
     const auto* name = reinterpret_cast<const char*>(file.data() + at);
+    const std::string text(name, strnlen(name, file.size() - at));
     const std::uint32_t value = symbol.st_value;
-    image.symbols[std::string(name, strnlen(name, file.size() - at))] =
-        value >= ram_offset ? value & address_mask : value;
+    image.symbols[text] = value >= ram_offset ? value & address_mask : value;
+    if (ELF32_ST_TYPE(symbol.st_info) == STT_FUNC && value < ram_offset) {
+      image.functions.emplace(value, text);
+    }
   }
+}
+
+std::string section_name(const Bytes& file, const Elf32_Ehdr& header, const Elf32_Shdr& section) {
+  const auto names = piece<Elf32_Shdr>(file, header.e_shoff + header.e_shstrndx * sizeof(Elf32_Shdr));
+  const std::size_t at = std::size_t{names.sh_offset} + section.sh_name;
+  return at < file.size() ? std::string(reinterpret_cast<const char*>(file.data() + at),
+                                        strnlen(reinterpret_cast<const char*>(file.data() + at), file.size() - at))
+                          : std::string();
+}
+
+// "GCC: (GNU) 5.4.0", the first of what the compilers of all parts have written.
+void read_compiler(const Bytes& file, const Elf32_Shdr& comment, AvrImage& image) {
+  for (std::size_t at = comment.sh_offset; at < comment.sh_offset + comment.sh_size && at < file.size(); ++at) {
+    if (file[at] == 0) {
+      return;
+    }
+    image.compiler += static_cast<char>(file[at]);
+  }
+}
+
+std::string demangle(const std::string& name) {
+  int status = 0;
+  char* plain = abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status);
+  std::string text = status == 0 ? plain : name;
+  std::free(plain);
+  return text.substr(0, text.find('('));
 }
 
 AvrImage parse_elf(const Bytes& file) {
@@ -73,6 +105,8 @@ AvrImage parse_elf(const Bytes& file) {
     const auto section = piece<Elf32_Shdr>(file, header.e_shoff + i * sizeof(Elf32_Shdr));
     if (section.sh_type == SHT_SYMTAB) {
       read_symbols(file, header, section, image);
+    } else if (section.sh_type == SHT_PROGBITS && section_name(file, header, section) == ".comment") {
+      read_compiler(file, section, image);
     }
   }
   return image;
@@ -134,6 +168,15 @@ AvrImage parse_hex(const Bytes& file) {
 std::optional<std::uint32_t> AvrImage::address_of(const std::string& symbol) const {
   const auto found = symbols.find(symbol);
   return found == symbols.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::string AvrImage::place_of(std::uint32_t address) const {
+  auto after = functions.upper_bound(address);
+  if (after == functions.begin()) {
+    return fmt::format("0x{:x}", address);
+  }
+  const auto& [start, name] = *--after;
+  return start == address ? demangle(name) : fmt::format("{}+0x{:x}", demangle(name), address - start);
 }
 
 AvrImage load_avr_image(const std::string& path) {

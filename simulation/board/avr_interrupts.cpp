@@ -11,6 +11,10 @@ Cycle response_cycles(const avr_t& avr) {
   return avr.address_size == 3 ? 5 : 4;
 }
 constexpr Cycle extra_after_sleep = 4;
+// RETI has these before it when its end is signalled.
+Cycle return_cycles(const avr_t& avr) {
+  return 2U + avr.address_size;
+}
 
 }  // namespace
 
@@ -92,13 +96,19 @@ void AvrInterrupts::Watched::on_running(std::uint32_t value) {
 void AvrInterrupts::begin(Watched& source) {
   source.entered = avr_.cycle;
   ++source.use.count;
+  if (watch_ != nullptr) {
+    watch_->enter(*source.vector);
+  }
   avr_.cycle += response_cycles(avr_) + wake_up_cycles_;
 }
 
 void AvrInterrupts::end(Watched& source) {
-  const Cycle taken = avr_.cycle - source.entered;
+  const Cycle taken = avr_.cycle + return_cycles(avr_) - source.entered;
   source.use.cycles += taken;
   source.use.longest = std::max(source.use.longest, taken);
+  if (watch_ != nullptr) {
+    watch_->leave();
+  }
   if (source.asks) {
     update(source);
   }

@@ -8,6 +8,7 @@
 
 #include "simulation/board/avr_clock.hpp"
 #include "simulation/board/avr_interrupt_use.hpp"
+#include "simulation/board/avr_lock_watch.hpp"
 #include "simulation/board/avr_simavr.hpp"
 
 namespace simulation {
@@ -37,6 +38,8 @@ class AvrInterrupts {
   void serve_after_sleep();
 
   std::vector<InterruptUse> uses() const;
+  // Tells `watch` of every service from now on.
+  void tell(AvrLockWatch& watch) { watch_ = &watch; }
 
  private:
   struct Watched {
@@ -57,6 +60,7 @@ class AvrInterrupts {
   avr_t& avr_;
   std::vector<std::unique_ptr<Watched>> sources_;
   Cycle wake_up_cycles_ = 0;
+  AvrLockWatch* watch_ = nullptr;
 };
 
 }  // namespace simulation

@@ -14,6 +14,8 @@ namespace {
 using drivers::host::Machine;
 using drivers::watchdog::ResetCause;
 
+// From reset to the start of the chip's clocks, so that its milliseconds and ours fall together.
+constexpr Time start_up = 1318us;
 constexpr Time loop_grain = 500us;  // timer 3; every second one comes with timer 0's millisecond
 constexpr int grains_of_a_millisecond = 2;
 constexpr Time from_receipt_to_silence = 3045us;  // as drivers/avr/serial.cpp
@@ -86,10 +88,13 @@ class HostBoard final : public SpmBoard {
       return;
     }
     set_stamp(reception.at);
-    machine_.hear(reception.value, reception.framing_error);
+    const bool is_somebody_elses = machine_.hear(reception.value, reception.framing_error);
     transmitter_.follow(reception.at, HostTransmitter::from_receipt_to_answer);
-    if (!machine_.heard.empty()) {
+    if (is_somebody_elses) {
       silence_due_ = reception.at + from_receipt_to_silence;
+    }
+    if (machine_.is_loop_called) {
+      machine_.is_loop_called = false;
       pass(reception.at);
     }
   }
@@ -123,8 +128,8 @@ class HostBoard final : public SpmBoard {
     machine_.reset_cause = cause_of(kind);
     transmitter_ = HostTransmitter(machine_.sender);
     firmware_ = spm::Firmware();
-    started_ = now;
-    next_grain_ = now + loop_grain;
+    started_ = now + start_up;
+    next_grain_ = started_ + loop_grain;
     silence_due_ = Time::max();
     grain_ = 0;
     sense();
@@ -137,12 +142,15 @@ class HostBoard final : public SpmBoard {
   void run_grain() {
     const Time now = next_grain_;
     next_grain_ += loop_grain;
-    if (++grain_ == grains_of_a_millisecond) {
+    const bool is_tick = ++grain_ == grains_of_a_millisecond;
+    if (is_tick) {
       grain_ = 0;
       machine_.now = machine_.now + base::Millis(1);
     }
-    set_stamp(now);
-    pass(now);
+    if (is_tick || machine_.is_ticking_twice) {
+      set_stamp(now);
+      pass(now);
+    }
   }
 
   void pass(Time now) {

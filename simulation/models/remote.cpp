@@ -6,39 +6,33 @@
 namespace simulation {
 namespace {
 
-constexpr std::uint8_t marker = 0x80;
-constexpr std::uint8_t end_of_turn = 0x0F;
-constexpr std::size_t type_spm_general = 1;
-constexpr std::size_t type_spm_power_up = 5;
-constexpr std::size_t spm_general_length = 7;
-constexpr double sampled_after = 9.625;           // bit times from the start edge to Reception::at
-constexpr Time packet_limit = 3ms;                // SB-2.11
+constexpr int type_general = 0;
+constexpr int type_spm_general = 1;
+constexpr int type_hhp_data = 2;
+constexpr int type_spm_hhp_data = 3;
+constexpr int type_power_up = 4;
+constexpr int type_spm_power_up = 5;
+constexpr int type_calibration = 6;
+constexpr std::size_t longest_data = 8;
 constexpr Time communication_limit = 1s;          // SB-3.5
 constexpr Time silence_after_power_down = 500ms;  // SB-4.4
 
-std::size_t data_length(std::uint8_t start_byte) {
-  return static_cast<std::size_t>(start_byte >> 4) + 1;
+// SB-02.2; the programmer's codes above 0x7F are always 0x80 to 0x83.
+int to_bus(char character) {
+  const int code = static_cast<std::uint8_t>(character);
+  return code >= 0x80 ? code - 0x70 : code;
 }
 
-std::vector<std::uint8_t> seal(int type, const std::vector<int>& data) {
-  const int start = static_cast<int>(data.size() - 1) << 4 | type;
-  std::vector<std::uint8_t> packet{static_cast<std::uint8_t>(start)};
-  int sum = start;
-  for (const int value : data) {
-    packet.push_back(static_cast<std::uint8_t>(marker | (value & 0x7F)));
-    sum += value & 0x7F;
+// SB-03.2
+std::uint8_t to_programmer(std::uint8_t code) {
+  if (code >= 0x10 && code <= 0x17) {
+    return static_cast<std::uint8_t>(code + 0x70);
   }
-  packet.push_back(static_cast<std::uint8_t>(marker | (0x7F - (sum & 0x7F))));  // SB-2.5
-  return packet;
+  return static_cast<std::uint8_t>(code >= 0x18 && code <= 0x1F ? code + 0xE0 : code);
 }
 
-// SB-2.5: the low seven bits of everything, the checksum included, come to 0x7F.
-bool adds_up(const std::vector<std::uint8_t>& packet) {
-  int sum = 0;
-  for (const std::uint8_t byte : packet) {
-    sum += byte & 0x7F;
-  }
-  return (sum & 0x7F) == 0x7F;
+void append(std::vector<std::uint8_t>& turn, const std::vector<std::uint8_t>& packet) {
+  turn.insert(turn.end(), packet.begin(), packet.end());
 }
 
 }  // namespace
@@ -70,7 +64,8 @@ void Remote::start(Time now) {
   turn_from_ = turn_until_ = now;
   awaits_answer_ = has_general_ = is_confirming_ = has_communication_fault_ = false;
   spm_capabilities_ = 0;
-  packet_.clear();
+  reader_.break_off();
+  calibration_.begin_anew();
   report_ = {};
   is_wake_shown_ = true;
   if (wake_) {
@@ -89,6 +84,10 @@ void Remote::act(Time now) {
     return;
   }
   next_turn_ += timing.period;
+  const bool is_speaking = now < turn_until_;  // a turn full of gaps: it lets this beat pass
+  if (is_speaking) {
+    return;
+  }
   judge_last_turn(now);
   if (is_confirming_ && now - std::max(spm_heard_, last_heard_) >= silence_after_power_down) {
     phase_ = Phase::off;
@@ -114,20 +113,18 @@ void Remote::judge_last_turn(Time now) {
     ++statistics_.missed;
   }
   awaits_answer_ = false;
-  if (!packet_.empty()) {
-    packet_.clear();
-    ++statistics_.bad;
-  }
+  reader_.break_off();
+  statistics_.bad = reader_.bad();
   if (phase_ == Phase::general && now - spm_heard_ >= communication_limit) {
     has_communication_fault_ = true;
   }
 }
 
 void Remote::send_turn(Time now) {
-  std::vector<std::uint8_t> turn = phase_ == Phase::general ? general_packet() : power_up_packet();
-  turn.push_back(end_of_turn);
+  const std::vector<std::uint8_t> turn = make_turn();
   awaits_answer_ = phase_ == Phase::general;
   has_general_ = false;
+  allowed_hhp_data_ = controls.hhp_may_send;
   answer_from_.reset();
   turn_from_ = now;
   const double bits_of_a_byte = 9.0 + timing.stop_bits;
@@ -143,6 +140,33 @@ void Remote::send_turn(Time now) {
   turn_until_ = now + bits(sent) + gaps - timing.gap;
 }
 
+// At most 9 + 10 + 3 bytes and TF (SB-2.2).
+std::vector<std::uint8_t> Remote::make_turn() {
+  if (phase_ == Phase::power_up) {
+    auto turn = power_up_packet();
+    turn.push_back(end_of_turn);
+    return turn;
+  }
+  auto turn = general_packet();
+  std::vector<int> data;
+  for (const char character : programmer.take(longest_data)) {
+    data.push_back(to_bus(character));
+  }
+  if (!data.empty()) {
+    append(turn, seal(type_hhp_data, data));  // SB-02.1
+  }
+  if (controls.calibration_active) {
+    calibration_.watch(controls.speed, controls.direction);
+  } else {
+    calibration_.begin_anew();
+  }
+  if (controls.calibration_active || sends_calibration) {
+    append(turn, calibration_packet());  // SB-06.1
+  }
+  turn.push_back(end_of_turn);
+  return turn;
+}
+
 Time Remote::bits(double count) const {
   return Time(std::llround(count * timing.bit_us * 1000));
 }
@@ -152,7 +176,7 @@ std::vector<std::uint8_t> Remote::power_up_packet() const {
                         identity.serial >> 14, identity.serial >> 7, identity.serial,
                         identity.version,      identity.capabilities};  // SB-04.1
   data.resize(static_cast<std::size_t>(std::clamp(identity.power_up_length, 6, 8)));
-  return seal(4, data);
+  return seal(type_power_up, data);
 }
 
 std::vector<std::uint8_t> Remote::general_packet() const {
@@ -173,75 +197,73 @@ std::vector<std::uint8_t> Remote::general_packet() const {
                             c.calibration_active << 1 | static_cast<int>(is_confirming_),
                         c.non_critical_fault << 5 | (has_lamps && c.headlight) << 4 | mode};
   data.resize(identity.general_length == 6 ? 6 : 7);
-  return seal(0, data);
+  return seal(type_general, data);
+}
+
+std::vector<std::uint8_t> Remote::calibration_packet() const {
+  return seal(type_calibration, {calibration_.data(controls.calibration_second_pass)});
 }
 
 void Remote::hear(const Reception& reception) {
   if (!is_on() || reception.at < turn_until_) {
     return;
   }
-  const Time from = reception.at - bits(sampled_after);
   if (!answer_from_) {
-    answer_from_ = from;
-  }
-  // A run of stray bytes is kept as a packet, too: it is bad once, when it ends.
-  if (!packet_.empty() && from - last_heard_ > packet_limit) {
-    packet_.clear();
-    ++statistics_.bad;
+    answer_from_ = reception.at - bits(bits_until_sampled);
   }
   last_heard_ = reception.at;
-  const bool is_start = (reception.value & marker) == 0 && !reception.framing_error;
-  if (is_start && !packet_.empty()) {
-    packet_.clear();
-    ++statistics_.bad;
+  switch (reader_.hear(reception, bits(1))) {
+    case PacketReader::Heard::packet:
+      take_packet(reception.at);
+      break;
+    case PacketReader::Heard::end_of_turn:
+      take_end_of_turn();
+      break;
+    case PacketReader::Heard::nothing_yet:
+      break;
   }
-  if (is_start && reception.value == end_of_turn) {
-    take_end_of_turn();
-    return;
-  }
-  // A spoiled byte turns what it stands in into strays.
-  if (reception.framing_error) {
-    packet_.assign(1, marker);
-    return;
-  }
-  packet_.push_back(reception.value);
-  const bool is_packet = (packet_.front() & marker) == 0;
-  if (is_packet && packet_.size() == data_length(packet_.front()) + 2) {
-    take_packet(reception.at);
-    packet_.clear();
-  }
+  statistics_.bad = reader_.bad();
 }
 
 void Remote::take_packet(Time at) {
-  if (!adds_up(packet_)) {
-    ++statistics_.bad;
-    return;
+  switch (reader_.type()) {
+    case type_spm_power_up:
+      if (phase_ == Phase::power_up) {
+        spm_capabilities_ = reader_.data()[0] & 0x07;  // SB-05.1: the rest is undocumented
+        phase_ = Phase::general;
+        spm_heard_ = at;
+      }
+      break;
+    case type_spm_general:
+      if (reader_.data().size() < SpmReport::length) {
+        reader_.reject();  // SB-5.3
+      } else {
+        take_general(at);
+      }
+      break;
+    case type_spm_hhp_data:
+      take_hhp_data();
+      break;
+    default:
+      break;
   }
-  const std::size_t type = packet_.front() & 0x0FU;
-  if (type == type_spm_power_up && phase_ == Phase::power_up) {
-    spm_capabilities_ = packet_[1] & 0x07;  // SB-05.1: the rest is undocumented
-    phase_ = Phase::general;
-    spm_heard_ = at;
-  }
-  if (type != type_spm_general) {
-    return;
-  }
-  if (data_length(packet_.front()) < spm_general_length) {
-    ++statistics_.bad;
-    return;
-  }
-  take_general(at);
 }
 
 void Remote::take_general(Time at) {
-  for (std::size_t i = 0; i < spm_general_length; ++i) {
-    report_.data[i] = packet_[i + 1] & 0x7F;
-  }
+  std::copy_n(reader_.data().begin(), SpmReport::length, report_.data.begin());
   report_.at = at;
   spm_heard_ = at;
   has_general_ = true;
   has_communication_fault_ = false;
   is_confirming_ = report_.is_power_down_now();  // SB-4.3
+}
+
+// What comes against the flow control is shown all the same, and counted (SB-03.1).
+void Remote::take_hhp_data() {
+  statistics_.unwanted += allowed_hhp_data_ ? 0 : 1;
+  for (const std::uint8_t code : reader_.data()) {
+    programmer.show(to_programmer(code));
+  }
 }
 
 void Remote::take_end_of_turn() {

@@ -1,17 +1,18 @@
 // The Shark Remote (SR): wakes the SPM, sends its power-up packet until answered, then its general every
-// 20 ms, and confirms power-down. It codes and decodes the wire by itself, on purpose: an oracle that shared
-// the firmware's codec would share its mistakes.
+// 20 ms, and confirms power-down; carries what its programmer types and what comes back; reports how far a joystick
+// calibration has come. It codes and decodes the wire by itself (packets.hpp), never with the firmware's codec.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "simulation/board/spm_board.hpp"
+#include "simulation/models/calibration.hpp"
+#include "simulation/models/packets.hpp"
+#include "simulation/models/programmer.hpp"
+#include "simulation/models/spm_report.hpp"
 #include "simulation/time.hpp"
 
 namespace simulation {
@@ -35,8 +36,9 @@ struct RemoteControls {
   bool charger_inhibit = false;
   bool remote_inhibit = false;
   bool calibration_active = false;
-  bool hhp_may_send = true;
-  int mode = 0;  // requested operating mode
+  bool calibration_second_pass = false;
+  bool hhp_may_send = true;  // flow control of the programmer's tunnel
+  int mode = 0;              // requested operating mode
 };
 
 struct RemoteIdentity {
@@ -48,31 +50,6 @@ struct RemoteIdentity {
   int capabilities = 0x03;
   int power_up_length = 8;  // 6, 7 or 8 data bytes
   int general_length = 7;   // 6 = old remote
-};
-
-// What the remote has understood from the SPM's last valid general packet.
-struct SpmReport {
-  std::array<std::uint8_t, 7> data{};  // marker bits stripped
-  Time at{};                           // end of the packet; 0 = none yet
-
-  bool is_locked() const { return bit(0, 6); }
-  bool is_slowed() const { return bit(0, 5); }  // DCI slowdown or limp
-  int fuel_gauge() const { return data[0] & 0x1F; }
-  bool is_drive_inhibited() const { return bit(1, 6); }
-  bool is_power_down_now() const { return bit(1, 4); }
-  int system_state() const { return data[1] & 0x0F; }
-  bool is_drive_modified() const { return bit(2, 5); }
-  bool is_sleep_requested() const { return bit(2, 3); }
-  bool is_calibrating() const { return bit(2, 2); }
-  bool sounds_horn() const { return bit(2, 0); }
-  bool is_sacu_driving() const { return bit(3, 6); }
-  bool is_driving() const { return bit(3, 5); }
-  bool is_mode_invalid() const { return bit(5, 4); }
-  int operating_mode() const { return data[5] & 0x0F; }
-  int speedo() const { return data[6] & 0x1F; }
-
- private:
-  bool bit(std::size_t byte, int number) const { return ((data[byte] >> number) & 1) != 0; }
 };
 
 // The remote's own clock and habits.
@@ -89,8 +66,9 @@ struct RemoteTiming {
 struct RemoteStatistics {
   std::uint32_t answers = 0;  // complete: a valid SPM general and its TF before the next turn
   std::uint32_t missed = 0;
-  std::uint32_t bad = 0;     // corrupt packets and stray bytes heard, whoever sent them
-  std::vector<Time> delays;  // of every answer: end of the remote's TF to the answer's first start bit
+  std::uint32_t bad = 0;       // corrupt packets and stray bytes heard, whoever sent them
+  std::uint32_t unwanted = 0;  // HHP data packets that came although its last general forbade them
+  std::vector<Time> delays;    // of every answer: end of the remote's TF to the answer's first start bit
 
   Time least_delay() const;  // all three 0 without an answer
   Time median_delay() const;
@@ -108,8 +86,10 @@ class Remote {
   RemoteControls controls;
   RemoteIdentity identity;
   RemoteTiming timing;
-  bool is_silent = false;     // runs, but sends nothing
-  bool is_insistent = false;  // requests lamps and actuators even where one side has none
+  bool is_silent = false;          // runs, but sends nothing
+  bool is_insistent = false;       // requests lamps and actuators even where one side has none
+  bool sends_calibration = false;  // its calibration packet even while calibration is not active
+  Programmer programmer;
 
   void on_transmit(Transmit transmit) { transmit_ = std::move(transmit); }
   void on_wake(Wake wake) { wake_ = std::move(wake); }
@@ -136,16 +116,19 @@ class Remote {
   // The packets as they go on the wire, with marker bits and checksum, without TF.
   std::vector<std::uint8_t> power_up_packet() const;
   std::vector<std::uint8_t> general_packet() const;
+  std::vector<std::uint8_t> calibration_packet() const;
 
  private:
   enum class Phase { off, power_up, general };
 
   Time bits(double count) const;
+  std::vector<std::uint8_t> make_turn();
   void end_wake_if_due(Time now);
   void judge_last_turn(Time now);
   void send_turn(Time now);
   void take_packet(Time at);
   void take_general(Time at);
+  void take_hhp_data();
   void take_end_of_turn();
 
   Transmit transmit_;
@@ -156,11 +139,13 @@ class Remote {
   Time next_turn_{};
   Time turn_from_{};
   Time turn_until_{};
-  bool awaits_answer_ = false;        // the last turn was a general without an answer yet
-  bool has_general_ = false;          // a valid SPM general since the last turn
-  std::optional<Time> answer_from_;   // first start bit after the last turn
-  std::vector<std::uint8_t> packet_;  // being received; empty outside a packet
+  bool awaits_answer_ = false;       // the last turn was a general without an answer yet
+  bool has_general_ = false;         // a valid SPM general since the last turn
+  bool allowed_hhp_data_ = false;    // the last general did
+  std::optional<Time> answer_from_;  // first start bit after the last turn
+  PacketReader reader_;
   Time last_heard_{};
+  Calibration calibration_;
   Time spm_heard_{};  // the last valid SPM general, or the first general sent
   bool has_communication_fault_ = false;
   bool is_confirming_ = false;

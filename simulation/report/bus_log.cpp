@@ -16,8 +16,17 @@ Tone tone_of(const Packet& packet) {
   return packet.sender == Sender::sr ? Tone::sr : packet.sender == Sender::spm ? Tone::spm : Tone::plain;
 }
 
+bool is_typed(const Packet& packet) {
+  return packet.is(bus::shark::Type::sr_hhp_data) || packet.is(bus::shark::Type::spm_hhp_data);
+}
+
 bool comes_now_and_then(const Packet& packet) {
-  return packet.is(bus::shark::Type::spm_settings);
+  return packet.is(bus::shark::Type::spm_settings) || is_typed(packet);
+}
+
+// Even if it is the same again.
+bool is_news_as_it_is(const Packet& packet) {
+  return packet.kind == Packet::Kind::corrupt || is_typed(packet);
 }
 
 bool is_same(const Decoded& one, const Decoded& other) {
@@ -107,14 +116,14 @@ std::vector<std::string> BusLog::shape_of_cycle() const {
 bool BusLog::says_something_new(const Line& line) const {
   const Decoded decoded = decode(line.packet);
   const auto before = latest_.find({line.packet.sender, decoded.name});
-  return line.packet.kind == Packet::Kind::corrupt || before == latest_.end() || !is_same(before->second, decoded);
+  return is_news_as_it_is(line.packet) || before == latest_.end() || !is_same(before->second, decoded);
 }
 
 void BusLog::print(const Line& line) {
   const Decoded decoded = decode(line.packet);
   const auto key = std::make_pair(line.packet.sender, decoded.name);
   const auto before = latest_.find(key);
-  const bool is_first = before == latest_.end();
+  const bool is_first = before == latest_.end() || is_news_as_it_is(line.packet);
   std::string text = is_first ? describe(decoded) : describe_change(before->second, decoded);
   if (text.empty()) {
     text = line.packet.kind == Packet::Kind::finished ? "alone" : is_first ? "nothing set" : "unchanged";

@@ -27,7 +27,33 @@ bool is_worth_telling(const Reading& reading) {
   return reading.value != 0 || (style != Style::flag && style != Style::state);
 }
 
+std::string escape(unsigned char character) {
+  switch (character) {
+    case '\r':
+      return "\\r";
+    case '\n':
+      return "\\n";
+    case '\t':
+      return "\\t";
+    case '"':
+    case '\\':
+      return fmt::format("\\{:c}", character);
+    default:
+      break;
+  }
+  const bool is_printable = character >= 0x20 && character < 0x7F;
+  return is_printable ? fmt::format("{:c}", character) : fmt::format("\\x{:02x}", character);
+}
+
 }  // namespace
+
+std::string quote(const std::string& text) {
+  std::string quoted;
+  for (const char character : text) {
+    quoted += escape(static_cast<unsigned char>(character));
+  }
+  return '"' + quoted + '"';
+}
 
 bool FieldRow::fits(std::size_t length) const {
   return std::all_of(parts.begin(), parts.end(), [&](base::Field part) { return part.byte < length; });
@@ -51,6 +77,10 @@ std::string FieldRow::show(int value) const {
       return fmt::format("{}", 2000 + value);
     case Style::version:
       return show_version(value);
+    case Style::hex:
+      return fmt::format("{:02X}", value);
+    case Style::command:
+      return fmt::format("{:02X} {}", value, factory_command_name(value));
     case Style::month:
     case Style::number:
       break;
@@ -73,7 +103,7 @@ Decoded decode(const Packet& packet) {
   if (data.size() < row->least_data) {
     return {row->name, {}, fmt::format("too short: {}", hex(packet.bytes))};
   }
-  Decoded decoded{row->name, {}, row->fields.empty() ? hex(packet.bytes) : ""};
+  Decoded decoded{row->name, {}, row->is_text ? quote({data.begin(), data.end()}) : ""};
   for (const FieldRow& field : row->fields) {
     if (field.fits(data.size())) {
       decoded.readings.push_back({&field, field.read(data)});

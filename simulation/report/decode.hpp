@@ -11,7 +11,7 @@
 
 namespace simulation::report {
 
-enum class Style { number, flag, state, month, year, version };
+enum class Style { number, flag, state, month, year, version, hex, command };
 
 struct FieldRow {
   const char* name;
@@ -28,6 +28,7 @@ struct PacketRow {
   const char* name;
   std::size_t least_data;  // SB-5.3; 1 where the document gives none
   std::vector<FieldRow> fields;
+  bool is_text = false;  // its data are characters
 };
 
 // Null for a type the document reserves.
@@ -37,6 +38,11 @@ const PacketRow& spm_general();
 // "System OK" to "Unknown fault", by number; beyond: "undefined (0C)".
 std::string system_state_name(int state);
 constexpr int system_state_count = 11;
+// Of the factory test, "read register"; by number.
+std::string factory_command_name(int command);
+
+// Characters in quotes; what cannot be printed is escaped, as in C: "hello\r", "\x83".
+std::string quote(const std::string& text);
 
 struct Reading {
   const FieldRow* field;
@@ -45,8 +51,8 @@ struct Reading {
 
 struct Decoded {
   std::string name;               // "general", "power-up", "type 0B", "corrupt"
-  std::vector<Reading> readings;  // empty where bits have no names yet
-  std::string raw;                // what has no names: data in hex, or the flaw
+  std::vector<Reading> readings;  // empty where bits have no names
+  std::string raw;                // what has no names: characters, data in hex, or the flaw
 };
 
 Decoded decode(const Packet& packet);

@@ -96,6 +96,54 @@ std::vector<FieldRow> spm_power_up_fields() {
   return {{"actuator 2", {actuator2}}, {"actuator 1", {actuator1}}, {"lighting", {lighting}}};
 }
 
+std::vector<FieldRow> joystick_calibration_fields() {
+  using namespace bus::shark::joystick_calibration;
+  return {
+      {"second pass", {second_pass}},   {"neutral seen", {neutral_seen}}, {"forward seen", {forward_seen}},
+      {"reverse seen", {reverse_seen}}, {"left seen", {left_seen}},       {"right seen", {right_seen}},
+  };
+}
+
+std::vector<FieldRow> factory_test_fields() {
+  using namespace bus::shark::factory_test;
+  return {
+      {"command", {command}, Style::command},
+      {"for the SACU", {is_for_sacu}},
+      {"address", {address_high, address_low}, Style::hex},
+      {"data", {data_high, data_low}, Style::hex},
+  };
+}
+
+std::vector<FieldRow> sacu_general_fields() {
+  using namespace bus::shark::sacu_general;
+  return {
+      {"speed", {speed_high, speed_low}, Style::number},
+      {"direction", {direction_high, direction_low}, Style::number},
+      {"pot", {pot_high, pot_low}, Style::number},
+      {"joystick error", {joystick_error}},
+      {"pot error", {pot_error}},
+      {"local fault", {local_fault}},
+      {"calibration active", {calibration_active}},
+      {"attendant", {attendant}},
+      {"non-critical fault", {non_critical_fault}},
+      {"drive inhibit", {drive_inhibit}},
+      {"requested mode", {requested_mode}, Style::number},
+  };
+}
+
+std::vector<FieldRow> sacu_power_up_fields() {
+  using namespace bus::shark::sacu_power_up;
+  return {
+      {"year", {year}, Style::year},
+      {"month", {month}, Style::month},
+      {"serial", {serial_high, serial_middle, serial_low}, Style::number},
+      {"version", {version}, Style::version},
+      {"actuator 2", {actuator2}},
+      {"actuator 1", {actuator1}},
+      {"speed control", {speed_control}},
+  };
+}
+
 std::vector<FieldRow> spm_settings_fields() {
   using namespace bus::shark::spm_settings;
   return {
@@ -110,14 +158,14 @@ const std::vector<PacketRow>& packets() {
   static const std::vector<PacketRow> rows{
       {Type::sr_general, "general", 6, sr_general_fields()},
       {Type::spm_general, "general", 7, spm_general_fields()},
-      {Type::sr_hhp_data, "HHP data", 1, {}},
-      {Type::spm_hhp_data, "HHP data", 1, {}},
+      {Type::sr_hhp_data, "HHP data", 1, {}, true},
+      {Type::spm_hhp_data, "HHP data", 1, {}, true},
       {Type::sr_power_up, "power-up", 6, sr_power_up_fields()},
       {Type::spm_power_up, "power-up", 1, spm_power_up_fields()},
-      {Type::joystick_calibration, "calibration", 1, {}},
-      {Type::factory_test, "factory test", 3, {}},
-      {Type::sacu_general, "general", 6, {}},
-      {Type::sacu_power_up, "power-up", 7, {}},
+      {Type::joystick_calibration, "calibration", 1, joystick_calibration_fields()},
+      {Type::factory_test, "factory test", 3, factory_test_fields()},
+      {Type::sacu_general, "general", 6, sacu_general_fields()},
+      {Type::sacu_power_up, "power-up", 7, sacu_power_up_fields()},
       {Type::spm_settings, "settings", 2, spm_settings_fields()},
   };
   return rows;
@@ -151,6 +199,14 @@ std::string system_state_name(int state) {
     return fmt::format("undefined ({:02X})", state);
   }
   return names[static_cast<std::size_t>(state)];
+}
+
+std::string factory_command_name(int command) {
+  static const std::array<const char*, 9> names{"read register",  "read RAM",     "read EEPROM",
+                                                "write register", "write RAM",    "write EEPROM",
+                                                "reset",          "set RAM page", "select device"};
+  const auto place = static_cast<std::size_t>(command);
+  return place < names.size() ? names[place] : "undefined";
 }
 
 }  // namespace simulation::report

@@ -117,6 +117,14 @@ bool Facts::is_cable_cut() const {
   return world_.wire().is_cut();
 }
 
+bool Facts::shows_communication_fault() const {
+  return world_.remote().has_communication_fault();
+}
+
+const std::string& Facts::programmer_screen() const {
+  return world_.remote().programmer.screen();
+}
+
 void Facts::hear_spm(const BusByte& byte) {
   const bool begins_to_speak = !spoke_at_ || (sr_from_ && *spoke_at_ < *sr_from_);
   if (begins_to_speak && sr_until_ && !byte.lost) {

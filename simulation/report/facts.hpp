@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "simulation/report/packet.hpp"
@@ -44,6 +45,8 @@ class Facts : public Observer {
   double left_duty() const;  // -1 to 1, forward positive; 0 while the bridge is dead
   double right_duty() const;
   bool is_cable_cut() const;
+  bool shows_communication_fault() const;        // the remote does (SB-3.5)
+  const std::string& programmer_screen() const;  // what the programmer behind the remote shows
 
   // The SPM's last valid general packet, marker bits stripped.
   const std::optional<std::vector<std::uint8_t>>& spm_general() const { return spm_general_; }

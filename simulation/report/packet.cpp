@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace simulation::report {
@@ -10,6 +11,8 @@ namespace {
 using namespace bus::shark;
 
 constexpr Time longest_gap = 3ms;  // SB-2.10, SB-2.12
+constexpr Time overlap = 30us;     // more than a stop bit's
+constexpr const char* collision = "two speak at once";
 
 bool has_right_checksum(const std::vector<std::uint8_t>& bytes) {
   const unsigned sum = std::accumulate(bytes.begin(), bytes.end() - 1, 0U);
@@ -53,15 +56,17 @@ void Listener::hear(const BusByte& byte) {
     return;
   }
   advance(byte.start);
-  last_ = byte.end;
-  if (byte.spoiled) {
+  const bool collides = byte.sender != last_sender_ && byte.start + overlap < last_;
+  last_ = std::max(last_, byte.end);
+  last_sender_ = byte.sender;
+  if (byte.spoiled || collides) {
     if (!is_open_) {
       begin(byte);
     } else {
       packet_.bytes.push_back(byte.heard);
     }
     packet_.end = byte.end;
-    packet_.flaw = "framing error";
+    packet_.flaw = collides || packet_.flaw == collision ? collision : "framing error";
     is_stray_ = true;
     return;
   }

@@ -51,6 +51,7 @@ class Listener {
   bool is_open_ = false;   // a packet is being put together
   bool is_stray_ = false;  // bytes outside any packet (SB-2.10)
   Time last_{};
+  Sender last_sender_ = Sender::noise;
 };
 
 }  // namespace simulation::report

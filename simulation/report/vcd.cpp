@@ -33,6 +33,9 @@ const std::array pins{
     PinRow{"status_led", [](const Pins& p) { return p.status_led; }},
 };
 
+// Between ten bits and eleven, whatever the sender's clock.
+constexpr Time shortest_with_two_stop_bits = 273us;
+
 constexpr std::size_t signal_count = first_pin + pins.size();
 
 // The bus idles high; every other signal starts low.
@@ -64,13 +67,14 @@ void Waveform::on_byte(const BusByte& byte) {
   if (byte.lost) {
     return;
   }
-  // Start bit, eight data bits from the lowest, two stop bits; a spoiled character keeps its first stop bit down.
+  // Start bit, eight data bits from the lowest, stop bits; a spoiled character keeps its first stop bit down.
   const unsigned frame = 0x600U | (byte.heard * 2U);
   const unsigned line = byte.spoiled ? frame & ~0x200U : frame;
   const Time length = byte.end - byte.start;
-  for (int bit = 0; bit < 11; ++bit) {
+  const int bits = length < shortest_with_two_stop_bits ? 10 : 11;
+  for (int bit = 0; bit < bits; ++bit) {
     if ((line >> bit & 1U) == 0) {
-      dominant_.push_back({byte.start + length * bit / 11, byte.start + length * (bit + 1) / 11});
+      dominant_.push_back({byte.start + length * bit / bits, byte.start + length * (bit + 1) / bits});
     }
   }
 }

@@ -41,11 +41,16 @@ struct Gauge {
 // The packet the SPM has sent since the step began: a name, or bytes.
 struct Utterance {};
 
+// Characters that a person reads somewhere; the condition asks whether they hold a text.
+struct Screen {
+  std::function<const std::string&(const Facts&)> read;
+};
+
 struct ConditionWord {
   std::string word;     // "motors"; within a map of its own: "chair speed" is chair: {speed: ...}
   std::string example;  // "driving"
   std::string meaning;
-  std::variant<Choice, Gauge, Utterance> kind;
+  std::variant<Choice, Gauge, Utterance, Screen> kind;
 };
 
 const std::vector<ConditionWord>& condition_words();

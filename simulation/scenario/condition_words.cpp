@@ -95,6 +95,14 @@ void add_talk(std::vector<ConditionWord>& words) {
   words.push_back({"SPM sends", "settings",
                    "a packet it has sent since the step began: general, power-up, settings, or bytes as \"05 83 F7\"",
                    Utterance{}});
+  words.push_back({"communications fault", "yes",
+                   "the remote shows one: it has not understood a general of the power module for a second",
+                   yes_or_no(when([](const Facts& f) { return f.shows_communication_fault(); }))});
+  words.push_back({"programmer sees", "\"OK\\r\"", "its screen holds these characters, since it was cleared last",
+                   Screen{[](const Facts& f) -> const std::string& { return f.programmer_screen(); }}});
+  words.push_back(
+      {"programmer characters", ">= 100", "how many its screen holds",
+       gauge(Measure::count, [](const Facts& f) { return static_cast<double>(f.programmer_screen().size()); })});
 }
 
 // Nothing yet means: neither yes nor no.

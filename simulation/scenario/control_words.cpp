@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "simulation/scenario/control_values.hpp"
 #include "simulation/scenario/spelling.hpp"
 #include "simulation/scenario/step_words.hpp"
 
@@ -11,35 +11,6 @@ namespace simulation::scenario {
 namespace {
 
 using Change = std::function<void(RemoteControls&)>;
-
-constexpr int neutral = 512;
-constexpr int full_up = 1023;
-constexpr int full_pot = 255;
-
-// A share of the stick's full travel: 100% reads 1023, -100% reads 0.
-std::optional<int> read_axis(const YAML::Node& value, Problems& problems) {
-  if (value.IsScalar() && value.Scalar() == "neutral") {
-    return neutral;
-  }
-  const auto share = read_quantity(value, Measure::share, problems);
-  if (!share) {
-    return std::nullopt;
-  }
-  if (std::abs(*share) > 1) {
-    problems.add(value, fmt::format("{} is out of range: -100% to 100%, or neutral", value.Scalar()));
-    return std::nullopt;
-  }
-  return neutral + static_cast<int>(std::lround(*share * (*share > 0 ? full_up - neutral : neutral)));
-}
-
-std::optional<int> read_pot(const YAML::Node& value, Problems& problems) {
-  const auto share = read_quantity(value, Measure::share, problems);
-  if (share && (*share < 0 || *share > 1)) {
-    problems.add(value, fmt::format("{} is out of range: 0% to 100%", value.Scalar()));
-    return std::nullopt;
-  }
-  return share ? std::optional(static_cast<int>(std::lround(*share * full_pot))) : std::nullopt;
-}
 
 template <int RemoteControls::*member>
 std::optional<Change> set_axis(const YAML::Node& value, Problems& problems) {
@@ -73,9 +44,9 @@ const std::vector<ControlWord>& control_words() {
       {"direction", "-30%", "stick to the right (left: negative), share of its travel, or neutral",
        set_axis<&C::direction>},
       {"pot", "100%", "speed pot", set_pot},
-      {"speed raw", "830", "the reading itself, 0 to 1023", set_raw<&C::speed, 1023>},
-      {"direction raw", "512", "the reading itself, 0 to 1023", set_raw<&C::direction, 1023>},
-      {"pot raw", "255", "the reading itself, 0 to 255", set_raw<&C::pot, 255>},
+      {"speed raw", "830", "the reading itself, 0 to 1023", set_raw<&C::speed, full_reading>},
+      {"direction raw", "512", "the reading itself, 0 to 1023", set_raw<&C::direction, full_reading>},
+      {"pot raw", "255", "the reading itself, 0 to 255", set_raw<&C::pot, full_pot>},
       {"power button", "on", "held down while on", set_switch<&C::power_button>},
       {"horn", "on", "horn switch", set_switch<&C::horn>},
       {"lock", "on", "lock switch", set_switch<&C::lock>},
@@ -90,6 +61,7 @@ const std::vector<ControlWord>& control_words() {
       {"charger inhibit", "on", "a charger is plugged in", set_switch<&C::charger_inhibit>},
       {"remote inhibit", "on", "the remote forbids driving", set_switch<&C::remote_inhibit>},
       {"calibration", "on", "joystick calibration is active", set_switch<&C::calibration_active>},
+      {"second pass", "on", "of the joystick calibration", set_switch<&C::calibration_second_pass>},
       {"HHP may send", "off", "flow control of the programmer tunnel", set_switch<&C::hhp_may_send>},
       {"mode", "1", "requested operating mode, 0 to 15", set_raw<&C::mode, 15>},
   };

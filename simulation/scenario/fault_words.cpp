@@ -27,10 +27,17 @@ const std::vector<Victim>& victims() {
       {"SR general", Sender::sr, nibble(Type::sr_general)},
       {"SR power-up", Sender::sr, nibble(Type::sr_power_up)},
       {"SR TF", Sender::sr, bus::shark::transmit_finished},
+      {"SR HHP data", Sender::sr, nibble(Type::sr_hhp_data)},
+      {"SR calibration", Sender::sr, nibble(Type::joystick_calibration)},
       {"SPM general", Sender::spm, nibble(Type::spm_general)},
       {"SPM power-up", Sender::spm, nibble(Type::spm_power_up)},
       {"SPM settings", Sender::spm, nibble(Type::spm_settings)},
+      {"SPM HHP data", Sender::spm, nibble(Type::spm_hhp_data)},
       {"SPM TF", Sender::spm, bus::shark::transmit_finished},
+      {"SACU general", Sender::sacu, nibble(Type::sacu_general)},
+      {"SACU power-up", Sender::sacu, nibble(Type::sacu_power_up)},
+      {"SACU calibration", Sender::sacu, nibble(Type::joystick_calibration)},
+      {"SACU TF", Sender::sacu, bus::shark::transmit_finished},
   };
   return rows;
 }
@@ -87,6 +94,31 @@ std::optional<Action> drop(const YAML::Node& value, Table& fault, Problems& prob
   return disturb;
 }
 
+std::optional<Action> break_stop_bit(const YAML::Node& value, Table& fault, Problems& problems) {
+  auto disturb = read_disturbance(Disturb::Way::framing_error, value, fault, problems);
+  const auto byte = fault.find("byte");
+  if (disturb && byte) {
+    disturb->byte = read_integer(*byte, 0, 9, problems).value_or(0);
+  }
+  return disturb;
+}
+
+std::optional<Action> delay(const YAML::Node& value, Table& fault, Problems& problems) {
+  const auto byte = fault.need("byte");
+  const auto by = fault.need("by");
+  auto disturb = read_disturbance(Disturb::Way::late_byte, value, fault, problems);
+  if (!disturb || !byte || !by) {
+    return std::nullopt;
+  }
+  if (disturb->sender == Sender::spm) {
+    problems.add(value, "the power module's bytes come when it sends them: SR or SACU");
+    return std::nullopt;
+  }
+  disturb->byte = read_integer(*byte, 0, 9, problems).value_or(0);
+  disturb->by = read_time(*by, problems).value_or(Time{});
+  return disturb;
+}
+
 // {for: 200ms}
 std::optional<Time> read_span(const YAML::Node& value, const std::string& what, Problems& problems) {
   Table map(value, what, problems);
@@ -116,6 +148,11 @@ const std::vector<FaultWord>& fault_words() {
        "one bit of one byte (0 = start byte) of the next packets of that kind", flip},
       {"drop", "fault: {drop: SR TF, count: 1}", "one byte (byte: 0, if not said) of the next packets of that kind",
        drop},
+      {"framing error", "fault: {framing error: SR general, byte: 3}",
+       "the first stop bit of one byte (byte: 0, if not said) of the next packets of that kind is dominant",
+       break_stop_bit},
+      {"late byte", "fault: {late byte: SR general, byte: 3, by: 2.6ms}",
+       "one byte of the next packets of that kind comes later, and with it the rest of the turn", delay},
       {"babble", "fault: {babble: {for: 200ms}}",
        "random characters back to back, from the scenario's seed; the step does not wait", babble},
       {"wake pulse", "fault: {wake pulse: {for: 200ms}}",

@@ -11,8 +11,9 @@
 namespace simulation::scenario {
 namespace {
 
+template <typename Controls>
 struct SwitchRow {
-  bool RemoteControls::*member;
+  bool Controls::*member;
   const char* on;
   const char* off;
 };
@@ -34,31 +35,60 @@ constexpr std::array switches{
     SwitchRow{&RemoteControls::charger_inhibit, "a charger is plugged in", "the charger is unplugged"},
     SwitchRow{&RemoteControls::remote_inhibit, "the remote forbids driving", "the remote allows driving"},
     SwitchRow{&RemoteControls::calibration_active, "joystick calibration begins", "joystick calibration ends"},
+    SwitchRow{&RemoteControls::calibration_second_pass, "the second pass of calibration begins",
+              "the second pass of calibration ends"},
     SwitchRow{&RemoteControls::hhp_may_send, "the programmer's tunnel is open", "the programmer's tunnel is shut"},
+};
+
+constexpr std::array sacu_switches{
+    SwitchRow{&SacuControls::is_attendant, "the attendant takes over", "the attendant hands back"},
+    SwitchRow{&SacuControls::joystick_error, "the attendant control reports a joystick error",
+              "the attendant's joystick error is over"},
+    SwitchRow{&SacuControls::pot_error, "the attendant control reports a pot error",
+              "the attendant's pot error is over"},
+    SwitchRow{&SacuControls::local_fault, "the attendant control reports a fault of its own",
+              "the attendant control's fault is over"},
+    SwitchRow{&SacuControls::non_critical_fault, "the attendant control reports a non-critical fault",
+              "the attendant control's non-critical fault is over"},
+    SwitchRow{&SacuControls::calibration_active, "the attendant's joystick calibration begins",
+              "the attendant's joystick calibration ends"},
+    SwitchRow{&SacuControls::calibration_second_pass, "the second pass of the attendant's calibration begins",
+              "the second pass of the attendant's calibration ends"},
+    SwitchRow{&SacuControls::drive_inhibit, "the attendant control forbids driving",
+              "the attendant control allows driving"},
 };
 
 constexpr int neutral = RemoteControls{}.speed;
 
-bool is_stick_at(const RemoteControls& controls, int speed, int direction) {
+template <typename Controls>
+bool is_stick_at(const Controls& controls, int speed, int direction) {
   return controls.speed == speed && controls.direction == direction;
 }
 
-std::vector<std::string> tell_changes(const RemoteControls& before, const RemoteControls& now) {
+struct Names {
+  const char* person;
+  const char* module;
+};
+
+// For the remote's controls and for the attendant's.
+template <typename Controls, typename Switches>
+std::vector<std::string> tell_changes(const Names& names, const Switches& switches, const Controls& before,
+                                      const Controls& now) {
   std::vector<std::string> deeds;
   if (!is_stick_at(now, before.speed, before.direction)) {
-    deeds.emplace_back(is_stick_at(now, neutral, neutral) ? "the driver lets go of the stick"
-                                                          : "the driver moves the stick");
+    deeds.push_back(
+        fmt::format("{} {} the stick", names.person, is_stick_at(now, neutral, neutral) ? "lets go of" : "moves"));
   }
   if (now.pot != before.pot) {
-    deeds.emplace_back("the driver turns the speed pot");
+    deeds.push_back(fmt::format("{} turns the speed pot", names.person));
   }
-  for (const SwitchRow& row : switches) {
+  for (const auto& row : switches) {
     if (now.*row.member != before.*row.member) {
       deeds.emplace_back(now.*row.member ? row.on : row.off);
     }
   }
   if (now.mode != before.mode) {
-    deeds.push_back(fmt::format("the remote asks for mode {}", now.mode));
+    deeds.push_back(fmt::format("{} asks for mode {}", names.module, now.mode));
   }
   return deeds;
 }
@@ -93,11 +123,18 @@ Disturbance disturbance_of(const Disturb& disturb) {
     case Disturb::Way::drop:
       disturbance.way = Disturbance::Way::drop;
       break;
+    case Disturb::Way::framing_error:
+      disturbance.way = Disturbance::Way::framing_error;
+      break;
+    case Disturb::Way::late_byte:
+      disturbance.way = Disturbance::Way::late_byte;
+      break;
   }
   disturbance.sender = disturb.sender;
   disturbance.type = disturb.start_nibble;
   disturbance.byte = disturb.byte;
   disturbance.bit = disturb.bit;
+  disturbance.by = disturb.by;
   disturbance.count = disturb.count;
   return disturbance;
 }
@@ -119,7 +156,7 @@ std::string Hands::apply(const SetControls& controls) {
   for (const auto& change : controls.changes) {
     change(now);
   }
-  return join(tell_changes(before, now));
+  return join(tell_changes({"the driver", "the remote"}, switches, before, now));
 }
 
 std::string Hands::apply(const SetRemote& changes) {
@@ -139,7 +176,40 @@ std::string Hands::apply(const SetRemote& changes) {
   if (!changes.changes.empty()) {
     deeds.emplace_back("the remote is of another kind");
   }
+  for (const auto& habit : changes.habits) {
+    habit.change(remote);
+    deeds.push_back(habit.deed);
+  }
   return join(deeds);
+}
+
+std::string Hands::apply(const SetSacu& changes) {
+  Sacu& sacu = world_.sacu();
+  const SacuControls before = sacu.controls;
+  for (const auto& change : changes.changes) {
+    change(sacu.controls);
+  }
+  auto deeds = tell_changes({"the attendant", "the attendant control"}, sacu_switches, before, sacu.controls);
+  for (const auto& habit : changes.habits) {
+    habit.change(sacu);
+    deeds.push_back(habit.deed);
+  }
+  if (changes.is_attached && *changes.is_attached != sacu.is_attached()) {
+    *changes.is_attached ? world_.attach_sacu() : world_.detach_sacu();
+    deeds.emplace_back(*changes.is_attached ? "an attendant control is plugged in"
+                                            : "the attendant control is unplugged");
+  }
+  return join(deeds);
+}
+
+std::string Hands::apply(const UseProgrammer& use) {
+  Programmer& programmer = world_.remote().programmer;
+  if (use.clears) {
+    programmer.clear_screen();
+    return "";
+  }
+  programmer.type(use.types);
+  return fmt::format("the programmer sends {}", report::quote(use.types));
 }
 
 std::string Hands::apply(const CutCable&) {
@@ -160,6 +230,10 @@ std::string Hands::apply(const Disturb& disturb) {
       return fmt::format("noise changes the checksum of {}", victims);
     case Disturb::Way::flip_bit:
       return fmt::format("noise flips bit {} of byte {} of {}", disturb.bit, disturb.byte, victims);
+    case Disturb::Way::framing_error:
+      return fmt::format("noise breaks the stop bit of byte {} of {}", disturb.byte, victims);
+    case Disturb::Way::late_byte:
+      return fmt::format("byte {} of {} comes {} late", disturb.byte, victims, show_time(disturb.by));
     case Disturb::Way::drop:
       break;
   }

@@ -17,6 +17,8 @@ class Hands {
   std::string press_power(bool down);
   std::string apply(const SetControls& controls);
   std::string apply(const SetRemote& remote);
+  std::string apply(const SetSacu& sacu);
+  std::string apply(const UseProgrammer& use);
   std::string apply(const CutCable&);
   std::string apply(const MendCable&);
   std::string apply(const Disturb& disturb);

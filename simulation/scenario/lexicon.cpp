@@ -43,6 +43,15 @@ std::string write_condition(const ConditionWord& row) {
   return fmt::format("{}: {}", row.word, value);
 }
 
+template <typename Words>
+std::string tell_settings(const char* step, const Words& words) {
+  std::string text = fmt::format("\nThings that '{}:' sets\n\n", step);
+  for (const auto& row : words) {
+    text += fmt::format("  {:<28} {}\n", fmt::format("{}: {}", row.word, row.example), row.meaning);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string tell_lexicon() {
@@ -50,10 +59,9 @@ std::string tell_lexicon() {
   for (const StepWord& row : step_words()) {
     text += fmt::format("  - {}\n        {}\n", indented(row.example), row.meaning);
   }
-  text += "\nThings that 'sr:' sets\n\n";
-  for (const ControlWord& row : control_words()) {
-    text += fmt::format("  {:<28} {}\n", fmt::format("{}: {}", row.word, row.example), row.meaning);
-  }
+  text += tell_settings("sr", control_words());
+  text += tell_settings("remote", remote_words());
+  text += tell_settings("sacu", sacu_words());
   text += "\nFaults\n\n";
   for (const FaultWord& row : fault_words()) {
     text += fmt::format("  - {}\n        {}\n", row.example, row.meaning);

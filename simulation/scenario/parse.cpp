@@ -7,6 +7,7 @@
 #include <regex>
 #include <sstream>
 
+#include "simulation/monitor/clause.hpp"
 #include "simulation/scenario/given.hpp"
 #include "simulation/scenario/spelling.hpp"
 #include "simulation/scenario/step_words.hpp"
@@ -100,6 +101,27 @@ std::vector<std::string> parse_needs(const YAML::Node& node, Problems& problems)
   return boards;
 }
 
+Exceptions parse_monitor(const YAML::Node& node, Problems& problems) {
+  Exceptions exceptions;
+  Table table(node, "'monitor'", problems);
+  if (const auto except = table.need("except")) {
+    exceptions.clauses = read_texts(*except, problems);
+    for (const std::string& id : exceptions.clauses) {
+      if (monitor::find_clause(id) == nullptr) {
+        problems.add(*except, fmt::format("'{}' is no clause of the monitor, such as H-04.1: see list-clauses", id));
+      }
+    }
+  }
+  if (const auto because = table.need("because")) {
+    exceptions.because = read_text(*because, problems).value_or("");
+    if (exceptions.because.empty()) {
+      problems.add(*because, "say why the clauses may be broken");
+    }
+  }
+  table.done();
+  return exceptions;
+}
+
 void parse_steps(const YAML::Node& node, Scenario& scenario, Problems& problems) {
   if (!node.IsSequence()) {
     problems.add(node, "'steps' must be a list: each step on a line of its own after '- '");
@@ -137,6 +159,9 @@ Scenario parse_root(const YAML::Node& root, const std::string& file, Problems& p
   }
   if (const auto needs = table.find("needs")) {
     scenario.needs = parse_needs(*needs, problems);
+  }
+  if (const auto monitor = table.find("monitor")) {
+    scenario.exceptions = parse_monitor(*monitor, problems);
   }
   if (const auto given = table.find("given")) {
     scenario.steps = parse_given(*given, problems);

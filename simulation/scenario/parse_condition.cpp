@@ -111,6 +111,20 @@ std::optional<Condition> parse_utterance(const YAML::Node& value, Problems& prob
   return condition;
 }
 
+std::optional<Condition> parse_screen(const Screen& screen, const YAML::Node& value, Problems& problems) {
+  const auto text = read_characters(value, problems);
+  if (!text) {
+    return std::nullopt;
+  }
+  Condition condition;
+  condition.text = report::quote(*text);
+  condition.holds = [&screen, wanted = *text](const Facts& facts, const Anchor&) {
+    return screen.read(facts).find(wanted) != std::string::npos;
+  };
+  condition.seen = [&screen](const Facts& facts, const Anchor&) { return report::quote(screen.read(facts)); };
+  return condition;
+}
+
 struct KindParser {
   const YAML::Node& value;
   Problems& problems;
@@ -118,6 +132,7 @@ struct KindParser {
   auto operator()(const Choice& choice) const { return parse_choice(choice, value, problems); }
   auto operator()(const Gauge& gauge) const { return parse_gauge(gauge, value, problems); }
   auto operator()(const Utterance&) const { return parse_utterance(value, problems); }
+  auto operator()(const Screen& screen) const { return parse_screen(screen, value, problems); }
 };
 
 void parse_pairs(const YAML::Node& node, const std::string& group, std::vector<Condition>& conditions,
@@ -135,7 +150,8 @@ void parse_pairs(const YAML::Node& node, const std::string& group, std::vector<C
     }
     if (auto condition = std::visit(KindParser{pair.value, problems}, row->kind)) {
       condition->mark = mark_of(pair.key_node);
-      condition->text = fmt::format("{}: {}", word, pair.value.Scalar());
+      const std::string value = condition->text.empty() ? pair.value.Scalar() : condition->text;
+      condition->text = fmt::format("{}: {}", word, value);
       conditions.push_back(std::move(*condition));
     }
   }

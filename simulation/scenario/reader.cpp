@@ -129,6 +129,32 @@ std::optional<std::vector<std::uint8_t>> read_bytes(const YAML::Node& node, Prob
   return bytes;
 }
 
+// YAML hands over UTF-8; the codes 0x80 to 0xFF are two bytes there.
+std::optional<std::string> read_characters(const YAML::Node& node, Problems& problems) {
+  const auto text = read_text(node, problems);
+  if (!text) {
+    return std::nullopt;
+  }
+  std::string characters;
+  for (std::size_t i = 0; i < text->size(); ++i) {
+    const unsigned lead = static_cast<std::uint8_t>((*text)[i]);
+    if (lead < 0x80) {
+      characters += (*text)[i];
+    } else if (lead <= 0xC3 && i + 1 < text->size()) {
+      const unsigned next = static_cast<std::uint8_t>((*text)[++i]);
+      characters += static_cast<char>((lead & 0x03) << 6 | (next & 0x3F));
+    } else {
+      problems.add(node, "a character is beyond 0xFF: the programmer's have eight bits, as in \"a\\x83\"");
+      return std::nullopt;
+    }
+  }
+  if (characters.empty()) {
+    problems.add(node, "expected characters, as in \"hello\\r\"");
+    return std::nullopt;
+  }
+  return characters;
+}
+
 std::vector<std::string> read_texts(const YAML::Node& node, Problems& problems) {
   std::vector<std::string> texts;
   if (node.IsSequence()) {

@@ -37,7 +37,9 @@ std::optional<bool> read_switch(const YAML::Node& node, Problems& problems);  //
 std::optional<std::string> read_choice(const YAML::Node& node, const std::vector<std::string>& words,
                                        Problems& problems);
 std::optional<std::vector<std::uint8_t>> read_bytes(const YAML::Node& node, Problems& problems);  // "60 C0 0F"
-std::vector<std::string> read_texts(const YAML::Node& node, Problems& problems);                  // a list, or one text
+// Characters of eight bits, one a byte: "a\r\x83" in double quotes.
+std::optional<std::string> read_characters(const YAML::Node& node, Problems& problems);
+std::vector<std::string> read_texts(const YAML::Node& node, Problems& problems);  // a list, or one text
 
 // A map with named keys. Ask for what may be there, then call done().
 class Table {

@@ -133,7 +133,7 @@ bool Runner::advance(Time span, const Check& check) {
     if (!failure_ && check) {
       failure_ = check();
     }
-    if (failure_) {
+    if (failure_ || (is_enough_ && is_enough_())) {
       return false;
     }
   }

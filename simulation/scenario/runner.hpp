@@ -1,6 +1,7 @@
 // Plays a scenario over a world, in simulated time.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +25,10 @@ class Runner {
   // All must outlive the runner; facts and story observe the world.
   Runner(const Scenario& scenario, World& world, report::Facts& facts, report::Story& story);
 
-  // To the end, or to the first expectation that is not met.
+  // Asked every millisecond; true ends the run.
+  void stop_when(std::function<bool()> is_enough) { is_enough_ = std::move(is_enough); }
+
+  // To the end, to the first expectation that is not met, or to where somebody has seen enough.
   std::optional<Failure> run();
 
  private:
@@ -52,6 +56,7 @@ class Runner {
   Hands hands_;
   std::vector<Watch> watches_;
   std::optional<Failure> failure_;
+  std::function<bool()> is_enough_;
 };
 
 }  // namespace simulation::scenario

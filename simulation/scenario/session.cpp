@@ -7,6 +7,7 @@
 
 #include "simulation/board/avr_board.hpp"
 #include "simulation/board/host_board.hpp"
+#include "simulation/monitor/monitor.hpp"
 #include "simulation/report/story.hpp"
 #include "simulation/report/table.hpp"
 #include "simulation/scenario/record.hpp"
@@ -32,17 +33,31 @@ bool can_judge(const Scenario& scenario, const std::string& board) {
          std::find(scenario.needs.begin(), scenario.needs.end(), board) != scenario.needs.end();
 }
 
+std::string tell_bus_and_command(const Scenario& scenario, const Request& request,
+                                 const report::Transcript& transcript) {
+  return fmt::format("  the bus at last\n{}  again     pilotfish run {} --on {} --log{}\n",
+                     report::tell_last_cycles(transcript, cycles_in_report), scenario.file, request.board,
+                     request.seed ? fmt::format(" --seed {}", *request.seed) : "");
+}
+
 std::string tell_failure(const Scenario& scenario, const Request& request, const Failure& failure,
                          const report::Transcript& transcript) {
   std::string text =
       fmt::format("{}: expectation not met at {:.3f} s on {}\n", show(scenario.file, {failure.mark, scenario.name}),
                   seconds(failure.at), request.board);
   text += fmt::format("  expected  {}\n  seen      {}\n", failure.expected, failure.seen);
-  text += fmt::format("  clauses   {}\n  the bus at last\n{}", fmt::join(scenario.spec, ", "),
-                      report::tell_last_cycles(transcript, cycles_in_report));
-  text += fmt::format("  again     pilotfish run {} --on {} --log{}\n", scenario.file, request.board,
-                      request.seed ? fmt::format(" --seed {}", *request.seed) : "");
-  return text;
+  text += fmt::format("  clauses   {}\n", fmt::join(scenario.spec, ", "));
+  return text + tell_bus_and_command(scenario, request, transcript);
+}
+
+std::string tell_breach(const Scenario& scenario, const Request& request, const monitor::Breach& breach,
+                        const report::Transcript& transcript) {
+  const monitor::Clause& clause = *breach.clause;
+  std::string text = fmt::format("{}: {}: the monitor saw {} broken at {:.4f} s on {}\n", scenario.file, scenario.name,
+                                 clause.id, seconds(breach.at), request.board);
+  text += fmt::format("  clause    {} ({})\n  judged    {}\n  seen      {}\n", clause.says, clause.stands_for,
+                      clause.tolerance, breach.seen);
+  return text + tell_bus_and_command(scenario, request, transcript);
 }
 
 std::string tell_complaints(const std::vector<std::string>& complaints) {
@@ -53,8 +68,9 @@ std::string tell_complaints(const std::vector<std::string>& complaints) {
 struct Watchers {
   Watchers(const Scenario& scenario, const Request& request, World& world, report::Transcript& transcript,
            std::ostream& out)
-      : facts(world), log(page), story(facts, page, log) {
+      : facts(world), log(page), story(facts, page, log), monitor(scenario.exceptions.clauses) {
     world.observe(transcript);
+    world.observe(monitor);
     world.observe(facts);
     // Words cost time: they are made only for somebody who reads them.
     if (request.wants_log || request.folder) {
@@ -80,28 +96,34 @@ struct Watchers {
   report::Page page;
   report::BusLog log;
   report::Story story;
+  monitor::Monitor monitor;
   std::unique_ptr<Record> record;
 };
 
-void judge(const Scenario& scenario, const Request& request, const std::optional<Failure>& failure, World& world,
-           Result& result) {
+void judge(const Scenario& scenario, const Request& request, const std::optional<Failure>& failure,
+           const std::vector<monitor::Breach>& breaches, World& world, Result& result) {
   const auto complaints = world.board().statistics().complaints;
   if (!complaints.empty()) {
     result.verdict = Verdict::broken;
     result.report = tell_complaints(complaints);
   }
+  if (complaints.empty()) {
+    result.verdict = failure || !breaches.empty() ? Verdict::failed : Verdict::passed;
+  }
+  if (!breaches.empty()) {
+    result.report += tell_breach(scenario, request, breaches.front(), result.transcript);
+  }
   if (failure) {
-    result.verdict = complaints.empty() ? Verdict::failed : Verdict::broken;
     result.report += tell_failure(scenario, request, *failure, result.transcript);
-  } else if (complaints.empty()) {
-    result.verdict = Verdict::passed;
   }
 }
 
 void play_into(Result& result, const Scenario& scenario, const Request& request, std::ostream& out) {
   World world(make_board(request), request.seed.value_or(scenario.seed.value_or(default_seed)));
   Watchers watchers(scenario, request, world, result.transcript, out);
-  const auto failure = Runner(scenario, world, watchers.facts, watchers.story).run();
+  Runner runner(scenario, world, watchers.facts, watchers.story);
+  runner.stop_when([&] { return !watchers.monitor.breaches().empty(); });
+  const auto failure = runner.run();
   watchers.finish();
   result.simulated = world.now();
   if (request.wants_story) {
@@ -110,7 +132,7 @@ void play_into(Result& result, const Scenario& scenario, const Request& request,
   if (watchers.record) {
     watchers.record->write(*request.folder, watchers.story, result.files, result.remarks);
   }
-  judge(scenario, request, failure, world, result);
+  judge(scenario, request, failure, watchers.monitor.breaches(), world, result);
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 
 namespace simulation::scenario {
 
+// Longer lists of words help nobody in a message.
+constexpr std::size_t readable = 24;
+
 std::size_t edit_distance(const std::string& one, const std::string& other) {
   const std::size_t width = other.size() + 1;
   std::vector<std::size_t> table((one.size() + 1) * width);
@@ -35,6 +38,9 @@ std::string suggest(const std::string& word, const std::vector<std::string>& kno
   }
   if (edit_distance(word, *nearest) <= std::max<std::size_t>({1, nearest->size() / 3, word.size() / 3})) {
     return fmt::format(" (did you mean '{}'?)", *nearest);
+  }
+  if (known.size() > readable) {
+    return " (pilotfish list-steps tells all)";
   }
   return fmt::format(" (known: {})", fmt::join(known, ", "));
 }

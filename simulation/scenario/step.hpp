@@ -10,6 +10,7 @@
 
 #include "simulation/bus_event.hpp"
 #include "simulation/models/remote.hpp"
+#include "simulation/models/sacu.hpp"
 #include "simulation/scenario/condition.hpp"
 #include "simulation/scenario/problem.hpp"
 #include "simulation/time.hpp"
@@ -35,10 +36,26 @@ struct PressPower {
 struct SetControls {
   std::vector<std::function<void(RemoteControls&)>> changes;
 };
+// Something about a module itself, with what the story says of it.
+template <typename Module>
+struct Habit {
+  std::function<void(Module&)> change;
+  std::string deed;
+};
 struct SetRemote {
   std::optional<bool> talks;
   std::optional<Time> period;
-  std::vector<std::function<void(RemoteIdentity&)>> changes;
+  std::vector<std::function<void(RemoteIdentity&)>> changes{};
+  std::vector<Habit<Remote>> habits{};
+};
+struct SetSacu {
+  std::optional<bool> is_attached;
+  std::vector<std::function<void(SacuControls&)>> changes{};
+  std::vector<Habit<Sacu>> habits{};
+};
+struct UseProgrammer {
+  std::string types;  // in the programmer's own codes
+  bool clears = false;
 };
 
 // Every step lasts as long as it says, whatever the power module does: `expect` its whole deadline, too. So
@@ -66,13 +83,14 @@ struct StopSending {};
 struct CutCable {};
 struct MendCable {};
 struct Disturb {  // of the next `count` packets of one kind
-  enum class Way { corrupt_checksum, flip_bit, drop };
+  enum class Way { corrupt_checksum, flip_bit, drop, framing_error, late_byte };
   Way way = Way::corrupt_checksum;
   Sender sender = Sender::sr;
   std::uint8_t start_nibble = 0;  // packet type; 0x0F is TF
   int byte = 0;                   // in the packet, 0 = start byte
   int bit = 0;
   int count = 1;
+  Time by{};  // how late
 };
 struct Babble {  // random characters, back to back
   Time span{};
@@ -89,13 +107,20 @@ struct Battery {
 };
 enum class Reset { watchdog, brown_out, external };
 
-using Action = std::variant<Say, Note, Wait, WaitForMidCycle, PressPower, SetControls, SetRemote, Expect, Hold, Never,
-                            Send, StopSending, CutCable, MendCable, Disturb, Babble, WakePulse, Slope, Battery, Reset>;
+using Action = std::variant<Say, Note, Wait, WaitForMidCycle, PressPower, SetControls, SetRemote, SetSacu,
+                            UseProgrammer, Expect, Hold, Never, Send, StopSending, CutCable, MendCable, Disturb, Babble,
+                            WakePulse, Slope, Battery, Reset>;
 
 struct Step {
   Mark mark;
   std::string text;  // "sr: {speed: 60%}", for people
   Action action;
+};
+
+// Clauses of the monitor that a scenario breaks on purpose.
+struct Exceptions {
+  std::vector<std::string> clauses;
+  std::string because;
 };
 
 struct Scenario {
@@ -106,6 +131,7 @@ struct Scenario {
   std::vector<std::string> tags;
   std::optional<std::uint64_t> seed;
   std::vector<std::string> needs;  // boards that can judge it: avr, host; empty = all
+  Exceptions exceptions;
   std::vector<Step> steps;         // what `given` stands for comes first
 };
 

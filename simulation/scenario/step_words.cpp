@@ -47,34 +47,23 @@ Parsed parse_sr(const YAML::Node& value, Table&, Problems& problems) {
   return controls ? Parsed(*controls) : std::nullopt;
 }
 
-template <int RemoteIdentity::*member, int least, int most>
-void read_identity(Table& map, const char* key, SetRemote& remote, Problems& problems) {
-  if (const auto value = map.find(key)) {
-    if (const auto number = read_integer(*value, least, most, problems)) {
-      remote.changes.push_back([v = *number](RemoteIdentity& identity) { identity.*member = v; });
-    }
-  }
+Parsed parse_remote_step(const YAML::Node& value, Table&, Problems& problems) {
+  return parse_remote(value, problems);
 }
 
-Parsed parse_remote(const YAML::Node& value, Table&, Problems& problems) {
+Parsed parse_sacu_step(const YAML::Node& value, Table&, Problems& problems) {
+  return parse_sacu(value, problems);
+}
+
+Parsed parse_programmer(const YAML::Node& value, Table&, Problems& problems) {
   if (value.IsScalar()) {
-    const auto word = read_choice(value, {"silent", "talks"}, problems);
-    return word ? Parsed(SetRemote{*word == "talks", std::nullopt, {}}) : std::nullopt;
+    return read_choice(value, {"clears"}, problems) ? Parsed(UseProgrammer{"", true}) : std::nullopt;
   }
-  SetRemote remote;
-  Table map(value, "remote", problems);
-  if (const auto talks = map.find("talks")) {
-    remote.talks = read_switch(*talks, problems);
-  }
-  if (const auto period = map.find("period")) {
-    remote.period = read_time(*period, problems);
-  }
-  read_identity<&RemoteIdentity::general_length, 6, 7>(map, "general length", remote, problems);
-  read_identity<&RemoteIdentity::power_up_length, 6, 8>(map, "power-up length", remote, problems);
-  read_identity<&RemoteIdentity::version, 0, 127>(map, "version", remote, problems);
-  read_identity<&RemoteIdentity::capabilities, 0, 127>(map, "capabilities", remote, problems);
+  Table map(value, "programmer", problems);
+  const auto types = map.need("types");
   map.done();
-  return remote;
+  const auto text = types ? read_characters(*types, problems) : std::nullopt;
+  return text ? Parsed(UseProgrammer{*text}) : std::nullopt;
 }
 
 Parsed parse_expect(const YAML::Node& value, Table& step, Problems& problems) {
@@ -170,9 +159,14 @@ const std::vector<StepWord>& step_words() {
       {"press power", "press power: {for: 300ms}",
        "the power button goes down and up; wakes the power module if it sleeps. The step lasts as long", parse_press},
       {"sr", "sr: {speed: 60%, pot: 100%}", "hands on the remote; see the list below", parse_sr},
-      {"remote", "remote: {period: 66ms}",
-       "the remote itself: silent or talks; talks, period, general length, power-up length, version, capabilities",
-       parse_remote},
+      {"remote", "remote: {period: 66ms}", "the remote itself: silent or talks, or see the list below",
+       parse_remote_step},
+      {"sacu", "sacu: {attendant: on, speed: 40%}",
+       "an attendant control: attached or detached (as it is at first), or see the list below", parse_sacu_step},
+      {"programmer", "programmer: {types: \"hello\\r\"}",
+       "the programmer behind the remote: types characters (0x80 to 0x83 as \"\\x80\"), or clears its screen; the step "
+       "does not wait",
+       parse_programmer},
       {"wait", "wait: 60ms", "lets time pass; 'wait: mid-cycle' until 12 ms after the begin of the remote's turn",
        parse_wait},
       {"expect", "expect: {motors: stopped, brakes: engaged}\n  within: 300ms",

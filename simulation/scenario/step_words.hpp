@@ -31,6 +31,20 @@ struct ControlWord {
 const std::vector<ControlWord>& control_words();
 std::optional<SetControls> parse_controls(const YAML::Node& node, Problems& problems);
 
+// One thing that `remote:` or `sacu:` can set.
+template <typename Set>
+struct SettingWord {
+  std::string word;
+  std::string example;
+  std::string meaning;
+  void (*parse)(const YAML::Node& value, Set& set, Problems& problems);
+};
+
+const std::vector<SettingWord<SetRemote>>& remote_words();
+const std::vector<SettingWord<SetSacu>>& sacu_words();
+std::optional<Action> parse_remote(const YAML::Node& node, Problems& problems);
+std::optional<Action> parse_sacu(const YAML::Node& node, Problems& problems);
+
 // What `fault:` can do.
 struct FaultWord {
   std::string word;

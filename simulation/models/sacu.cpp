@@ -1,0 +1,170 @@
+#include "simulation/models/sacu.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace simulation {
+namespace {
+
+constexpr int type_sr_general = 0;
+constexpr int type_spm_general = 1;
+constexpr int type_sr_hhp_data = 2;
+constexpr int type_spm_hhp_data = 3;
+constexpr int type_sr_power_up = 4;
+constexpr int type_spm_power_up = 5;
+constexpr int type_calibration = 6;
+constexpr int type_general = 8;
+constexpr int type_power_up = 9;
+constexpr int type_spm_settings = 10;
+
+constexpr double nominal_character = 11;  // bit times
+
+}  // namespace
+
+void Sacu::attach() {
+  is_attached_ = true;
+  reader_.break_off();
+  speaker_ = Speaker::nobody;
+  turn_due_ = silence_due_ = never;
+  has_introduced_itself_ = is_acknowledged_ = false;
+  report_ = {};
+  calibration_.begin_anew();
+}
+
+Time Sacu::next_time() const {
+  return is_attached_ ? std::min(turn_due_, silence_due_) : never;
+}
+
+void Sacu::act(Time now) {
+  if (silence_due_ <= now) {
+    silence_due_ = never;
+    take_end_of_turn(now - timing.pause);
+  }
+  if (turn_due_ <= now) {
+    turn_due_ = never;
+    send_turn(now);
+  }
+}
+
+void Sacu::send_turn(Time now) {
+  if (is_silent || now < turn_until_) {
+    return;
+  }
+  const double bits_of_a_byte = 9.0 + timing.stop_bits;
+  double sent = 0;
+  Time gaps{};
+  for (const std::uint8_t byte : make_turn()) {
+    if (transmit_) {
+      transmit_(byte, now + bits(sent) + gaps);
+    }
+    sent += bits_of_a_byte;
+    gaps += timing.gap;
+  }
+  turn_until_ = now + bits(sent) + gaps - timing.gap;
+}
+
+// At most 9 bytes and TF, or 8 + 3 and TF (SB-2.2).
+std::vector<std::uint8_t> Sacu::make_turn() {
+  if (!is_acknowledged_ && !insists) {
+    has_introduced_itself_ = true;
+    auto turn = power_up_packet();
+    turn.push_back(end_of_turn);
+    return turn;
+  }
+  auto turn = general_packet();
+  if (controls.calibration_active) {
+    calibration_.watch(controls.speed, controls.direction);
+  } else {
+    calibration_.begin_anew();
+  }
+  if (controls.calibration_active || sends_calibration) {
+    const auto calibration = calibration_packet();
+    turn.insert(turn.end(), calibration.begin(), calibration.end());  // SB-06.1
+  }
+  turn.push_back(end_of_turn);
+  return turn;
+}
+
+Time Sacu::bits(double count) const {
+  return Time(std::llround(count * timing.bit_us * 1000));
+}
+
+// SB-09.1
+std::vector<std::uint8_t> Sacu::power_up_packet() const {
+  return seal(type_power_up, {identity.year - 2000, identity.month & 0x0F, identity.serial >> 14, identity.serial >> 7,
+                              identity.serial, identity.version, identity.capabilities});
+}
+
+// SB-08.1
+std::vector<std::uint8_t> Sacu::general_packet() const {
+  const SacuControls& c = controls;
+  return seal(type_general,
+              {c.speed >> 3, c.direction >> 3, c.pot >> 1, (c.pot & 1) << 6 | (c.speed & 7) << 3 | (c.direction & 7),
+               c.joystick_error << 6 | c.pot_error << 5 | c.local_fault << 4 | c.calibration_active << 3 |
+                   c.is_attendant << 2 | c.non_critical_fault << 1 | static_cast<int>(c.drive_inhibit),
+               c.mode & 0x0F});
+}
+
+std::vector<std::uint8_t> Sacu::calibration_packet() const {
+  return seal(type_calibration, {calibration_.data(controls.calibration_second_pass)});
+}
+
+void Sacu::hear(const Reception& reception) {
+  if (!is_attached_ || reception.at < turn_until_) {
+    return;
+  }
+  const Time ended = reception.at + bits(nominal_character - bits_until_sampled);
+  silence_due_ = ended + longest_silence;
+  switch (reader_.hear(reception, bits(1))) {
+    case PacketReader::Heard::packet:
+      take_packet(reception.at);
+      break;
+    case PacketReader::Heard::end_of_turn:
+      take_end_of_turn(ended);
+      break;
+    case PacketReader::Heard::nothing_yet:
+      break;
+  }
+}
+
+void Sacu::take_packet(Time at) {
+  switch (reader_.type()) {
+    case type_sr_general:
+    case type_sr_hhp_data:
+    case type_sr_power_up:
+      speaker_ = Speaker::remote;
+      break;
+    case type_spm_power_up:
+      has_introduced_itself_ = is_acknowledged_ = false;
+      speaker_ = Speaker::power_module;
+      break;
+    case type_spm_general:
+      if (reader_.data().size() < SpmReport::length) {
+        reader_.reject();  // SB-5.3
+        break;
+      }
+      std::copy_n(reader_.data().begin(), SpmReport::length, report_.data.begin());
+      report_.at = at;
+      is_acknowledged_ = is_acknowledged_ || (has_introduced_itself_ && report_.is_sacu_acknowledged());
+      speaker_ = Speaker::power_module;
+      break;
+    case type_spm_hhp_data:
+    case type_spm_settings:
+      speaker_ = Speaker::power_module;
+      break;
+    default:
+      break;
+  }
+}
+
+// A SACU sends after the power module (SB-2.8).
+void Sacu::take_end_of_turn(Time ended) {
+  const Speaker awaited = timing.is_rash ? Speaker::remote : Speaker::power_module;
+  if (speaker_ == awaited) {
+    turn_due_ = ended + timing.pause;
+  }
+  speaker_ = Speaker::nobody;
+  silence_due_ = never;
+}
+
+}  // namespace simulation

@@ -1,0 +1,73 @@
+#include "simulation/monitor/stick.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "simulation/monitor/limits.hpp"
+
+namespace simulation::monitor {
+
+void Stick::take(const SrGeneral& packet) {
+  general_ = packet;
+  forward_.point(packet.speed, packet.is_doubtful);
+  turn_.point(packet.direction, packet.is_doubtful);
+  if (!packet.is_neutral() || packet.is_doubtful) {
+    neutral_since_ = std::nullopt;
+  } else if (!neutral_since_) {
+    neutral_since_ = packet.end;
+    is_release_new_ = true;
+  }
+}
+
+void Stick::advance(const Wheels& wheels) {
+  forward_.follow(wheels.left() + wheels.right());
+  turn_.follow(wheels.left() - wheels.right());
+  if (is_release_new_) {
+    duty_at_release_ = std::max(wheels.largest(), wheels.largest_before());
+    is_release_new_ = false;
+    least_.fill(2 * limits::full_duty);
+    grown_since_release_ = 0;
+  }
+  if (neutral_since_ && wheels.at() - *neutral_since_ >= limits::reaction) {
+    watch_release(wheels);
+  }
+}
+
+// The inner wheel of a turn may come up to the outer one: the turn ends sooner than the drive.
+void Stick::watch_release(const Wheels& wheels) {
+  const std::array<int, 3> duties = {std::abs(wheels.left() + wheels.right()), std::abs(wheels.left() - wheels.right()),
+                                     wheels.largest()};
+  for (std::size_t i = 0; i < duties.size(); ++i) {
+    least_[i] = std::min(least_[i], duties[i]);
+    grown_since_release_ = std::max(grown_since_release_, duties[i] - least_[i]);
+  }
+}
+
+void Stick::Axis::point(int reading, bool is_doubtful) {
+  const int off = reading - limits::neutral_reading;
+  const int points_to = std::abs(off) <= limits::deadband || is_doubtful ? 0 : off > 0 ? 1 : -1;
+  if (points_to != side) {
+    side = points_to;
+    best = std::nullopt;
+    against = 0;
+  }
+}
+
+// Until the duties have come round to the stick's side they may only come nearer.
+void Stick::Axis::follow(int duties) {
+  const int along = std::min(side * duties, 0);
+  best = std::max(along, best.value_or(along));
+  against = *best - along;
+}
+
+std::string Stick::tell(Time now) const {
+  if (!general_) {
+    return "no general yet";
+  }
+  return fmt::format("general {:.1f} ms ago, speed {}, direction {}, mode {}", milliseconds(now - general_->end),
+                     general_->speed, general_->direction, general_->mode);
+}
+
+}  // namespace simulation::monitor

@@ -1,0 +1,107 @@
+#include "simulation/monitor/wheels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "simulation/monitor/limits.hpp"
+
+namespace simulation::monitor {
+namespace {
+
+constexpr double steps_a_nanosecond = static_cast<double>(limits::full_duty) / limits::steepest.count();
+constexpr double most_credit = steps_a_nanosecond * limits::held_up.count() + 1;
+
+constexpr Time sample_period = 1ms;
+
+int signed_duty(std::uint16_t duty, bool is_forward) {
+  return is_forward ? duty : -duty;
+}
+
+int count_on(bool is_so, int count) {
+  return is_so ? count + 1 : 0;
+}
+
+}  // namespace
+
+void Wheels::Wheel::begin_anew() {
+  now = before = 0;
+  rise_credit = fall_credit = most_credit;
+}
+
+void Wheels::Wheel::take(int duty, Time passed, bool is_cut) {
+  before = now;
+  now = duty;
+  const double allowed = steps_a_nanosecond * static_cast<double>(passed.count());
+  rise_credit = std::min(most_credit, std::max(0.0, rise_credit) + allowed);
+  fall_credit = std::min(most_credit, std::max(0.0, fall_credit) + allowed);
+  const int change = std::abs(now - before);
+  if (has_grown()) {
+    rise_credit -= change;
+  } else if (!is_cut) {
+    fall_credit -= change;
+  }
+}
+
+// Away from zero, or through it.
+bool Wheels::Wheel::has_grown() const {
+  return std::abs(now) > std::abs(before) || (now < 0 && before > 0) || (now > 0 && before < 0);
+}
+
+bool Wheels::Wheel::has_flipped() const {
+  const bool is_other_side = (now < 0 && before > 0) || (now > 0 && before < 0);
+  return is_other_side && std::abs(now) + std::abs(before) > limits::made_up_at_once;
+}
+
+void Wheels::begin_anew(Time now) {
+  *this = Wheels();
+  left_.begin_anew();
+  right_.begin_anew();
+  at_ = before_at_ = zero_from_ = still_from_ = braked_until_ = now;
+}
+
+void Wheels::take(const Pins& pins, Time now) {
+  before_ = pins_;
+  pins_ = pins;
+  before_at_ = at_;
+  at_ = now;
+  const bool is_cut = !pins.bridge_enable && !pins.motor_relay && !is_a_brake_released();  // all at once
+  left_.take(signed_duty(pins.left_duty, pins.left_forward), at_ - before_at_, is_cut);
+  right_.take(signed_duty(pins.right_duty, pins.right_forward), at_ - before_at_, is_cut);
+  if (!is_zero()) {
+    zero_from_ = now + sample_period;
+  }
+  if (!is_still()) {
+    still_from_ = now + sample_period;
+  }
+  if (!are_both_released()) {
+    braked_until_ = now;
+  }
+  odds_ = count_on(pins.left_brake_release != pins.right_brake_release, odds_);
+  braked_torque_ = count_on(!is_zero() && !are_both_released(), braked_torque_);
+  loose_ = count_on(is_a_brake_released() && !(pins.bridge_enable && pins.motor_relay), loose_);
+}
+
+int Wheels::largest() const {
+  return std::max(std::abs(left_.now), std::abs(right_.now));
+}
+
+int Wheels::largest_before() const {
+  return std::max(std::abs(left_.before), std::abs(right_.before));
+}
+
+bool Wheels::has_begun_to_release() const {
+  return is_a_brake_released() && !before_.left_brake_release && !before_.right_brake_release;
+}
+
+std::string Wheels::tell() const {
+  const auto brake = [](bool is_released) { return is_released ? "released" : "engaged"; };
+  return fmt::format("duty left {} -> {}, right {} -> {} of {}; brakes {}/{}; bridge {}, relay {}, latch {}",
+                     left_.before, left_.now, right_.before, right_.now, limits::full_duty,
+                     brake(pins_.left_brake_release), brake(pins_.right_brake_release),
+                     pins_.bridge_enable ? "on" : "off", pins_.motor_relay ? "closed" : "open",
+                     pins_.power_latch ? "held" : "released");
+}
+
+}  // namespace simulation::monitor
