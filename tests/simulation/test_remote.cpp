@@ -240,3 +240,120 @@ TEST_CASE("Lamps and actuators are requested only when both sides have them", "[
     CHECK(line.remote.general_packet()[7] == 0x80);
   }
 }
+
+TEST_CASE("What the programmer types follows the general, at most eight characters a turn", "[SB-02.1][SB-2.2]") {
+  Line line;
+  line.remote.programmer.type("hello, SPM\r");
+  line.remote.start(0ms);
+  line.act();
+  CHECK(line.turn[0] == 0x74);  // it waits until generals are sent
+  CHECK(line.turn.size() == 11);
+  line.answer(power_up);
+  line.act();
+  CHECK(line.turn == Bytes{0x60, 0xC0, 0xC0, 0xFF, 0xC0, 0x80, 0x84, 0x80, 0xDC,                //
+                           0x72, 0xE8, 0xE5, 0xEC, 0xEC, 0xEF, 0xAC, 0xA0, 0xD3, 0xDA, 0x0F});  // "hello, S"
+  line.act();
+  CHECK(line.turn == Bytes{0x60, 0xC0, 0xC0, 0xFF, 0xC0, 0x80, 0x84, 0x80, 0xDC,  //
+                           0x22, 0xD0, 0xCD, 0x8D, 0xB3, 0x0F});                  // "PM\r"
+  line.act();
+  CHECK(line.turn.size() == 10);
+}
+
+TEST_CASE("Its keys 80 to 83 travel as 10 to 13", "[SB-02.2]") {
+  Line line;
+  line.bring_up();
+  line.remote.programmer.type("\x80\x81\x82\x83\x7F");
+  line.act();
+  CHECK(Bytes(line.turn.begin() + 9, line.turn.end()) == Bytes{0x42, 0x90, 0x91, 0x92, 0x93, 0xFF, 0xF8, 0x0F});
+}
+
+TEST_CASE("What the power module sends to the programmer is shown in its codes", "[SB-03.1][SB-03.2]") {
+  Line line;
+  line.bring_up();
+  line.act();
+  line.answer({0x61, 0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x9E,  //
+               0x73, 0x8F, 0x90, 0x97, 0x98, 0x9F, 0xA0, 0xFF, 0x8D, 0xF3, 0x0F});
+  CHECK(line.remote.programmer.screen() == "\x0F\x80\x87\xF8\xFF \x7F\r");
+  CHECK(line.remote.statistics().bad == 0);
+  CHECK(line.remote.statistics().unwanted == 0);
+  CHECK(line.remote.statistics().answers == 1);
+  line.remote.programmer.clear_screen();
+  CHECK(line.remote.programmer.screen().empty());
+}
+
+TEST_CASE("A corrupt packet shows the programmer nothing", "[SB-03.1]") {
+  Line line;
+  line.bring_up();
+  line.act();
+  line.answer({0x03, 0xC1, 0xBA, 0x0F});
+  CHECK(line.remote.programmer.screen().empty());
+  CHECK(line.remote.statistics().bad == 1);
+}
+
+TEST_CASE("HHP data against the flow control are counted", "[SB-03.1]") {
+  Line line;
+  line.bring_up();
+  line.remote.controls.hhp_may_send = false;
+  line.act();
+  CHECK(line.turn[6] == 0x80);
+  line.remote.controls.hhp_may_send = true;  // not yet told
+  line.answer({0x03, 0xC1, 0xBB, 0x0F});
+  CHECK(line.remote.programmer.screen() == "A");
+  CHECK(line.remote.statistics().unwanted == 1);
+}
+
+TEST_CASE("The remote's longest turn has 23 bytes", "[SB-2.2][SB-06.1]") {
+  Line line;
+  line.bring_up();
+  line.remote.sends_calibration = true;
+  line.remote.programmer.type("12345678");
+  line.act();
+  REQUIRE(line.turn.size() == 23);
+  CHECK(Bytes(line.turn.begin() + 19, line.turn.end()) == Bytes{0x06, 0x80, 0xF9, 0x0F});
+}
+
+TEST_CASE("While calibration is active the remote tells how far it is", "[SB-06.1]") {
+  Line line;
+  line.bring_up();
+  line.remote.controls.calibration_active = true;
+  line.remote.controls.speed = 1000;
+  line.remote.controls.direction = 20;
+  line.act();
+  CHECK(Bytes(line.turn.begin() + 9, line.turn.end()) == Bytes{0x06, 0x8A, 0xEF, 0x0F});
+  line.remote.controls.speed = 20;
+  line.remote.controls.direction = 1000;
+  line.act();
+  line.remote.controls.speed = line.remote.controls.direction = 500;
+  line.act();
+  CHECK(line.turn[10] == 0x9F);
+  line.remote.controls.calibration_active = false;
+  line.act();
+  CHECK(line.turn.size() == 10);
+}
+
+TEST_CASE("A remote keeps its own bit rate, stop bits and gaps", "[SB-2.11]") {
+  Line line;
+  line.remote.timing.bit_us = 25;
+  line.remote.timing.stop_bits = 1;
+  line.remote.timing.gap = 1300us;
+  line.remote.start(0ms);
+  line.act();
+  CHECK(line.starts[1] - line.starts[0] == 1550us);
+  CHECK(line.starts[10] - line.starts[9] == 1550us);
+  CHECK(line.remote.turn_ended_at() == line.starts[10] + 250us);
+}
+
+TEST_CASE("A turn longer than the period lets a beat pass") {
+  Line line;
+  line.bring_up();
+  line.remote.timing.gap = 1300us;
+  line.remote.sends_calibration = true;
+  line.remote.programmer.type("12345678");
+  CHECK(line.act() == 40ms);
+  CHECK(line.turn.size() == 23);  // 35.2 ms
+  CHECK(line.act() == 60ms);
+  CHECK(line.turn.empty());
+  CHECK(line.act() == 80ms);
+  CHECK(line.turn.size() == 13);
+  CHECK(line.remote.statistics().missed == 1);
+}

@@ -360,6 +360,38 @@ TEST_CASE("A byte is lost, its place on the line stays empty") {
   CHECK(bench.log[4].lost);
 }
 
+TEST_CASE("A byte whose stop bit is dominant is a framing error, and nothing but that", "[SB-2.10]") {
+  Bench bench;
+  bench.wire.disturb({Disturbance::Way::framing_error, Sender::sr, 0x0, 4, 0, 1});
+  bench.wire.send(Sender::sr, general, 0ms);
+  bench.wire.send(Sender::sr, general, 20ms);
+  bench.run(40ms);
+  Bytes twice = general;
+  twice.insert(twice.end(), general.begin(), general.end());
+  CHECK(bench.module.values() == twice);
+  for (std::size_t i = 0; i < twice.size(); ++i) {
+    CHECK(bench.module.heard[i].framing_error == (i == 4));
+    CHECK(bench.log[i].spoiled == (i == 4));
+  }
+}
+
+TEST_CASE("A late byte takes the rest of its turn along, and no other turn", "[SB-2.11]") {
+  Bench bench;
+  bench.wire.disturb({Disturbance::Way::late_byte, Sender::sr, 0x0, 3, 0, 1, 2600us});
+  bench.wire.send(Sender::sr, general, 0ms);
+  bench.wire.send(Sender::sacu, 0x0F, 8ms);
+  bench.wire.send(Sender::sr, general, 20ms);
+  bench.run(40ms);
+  REQUIRE(bench.log.size() == 21);
+  CHECK(bench.log[2].start == 2 * character);
+  CHECK(bench.log[3].start == 3 * character + 2600us);
+  CHECK(bench.log[9].start == 9 * character + 2600us);
+  CHECK(bench.log[10].start == 8ms);
+  CHECK(bench.log[11].start == 20ms);
+  CHECK(bench.log[20].start == 20ms + 9 * character);
+  CHECK(bench.module.heard.size() == 21);
+}
+
 TEST_CASE("TF is a packet of its own, whoever else says it") {
   Bench bench;
   bench.wire.disturb({Disturbance::Way::drop, Sender::sr, 0xF, 0, 0, 1});

@@ -185,6 +185,61 @@ TEST_CASE("A cut cable keeps the remote's turn from the power module") {
   CHECK(bench.board.heard.size() == 11);
 }
 
+TEST_CASE("An attendant control is there only when it is plugged in, and everybody hears it", "[SB-2.8]") {
+  Bench bench;
+  bench.world.remote().timing.wake = 5ms;
+  bench.world.remote().start(bench.world.now());
+  bench.board.levels.power_latch = true;
+  bench.board.to_say = {0x05, 0x80, 0xFA, 0x0F};
+  bench.board.say_at = 23'200us;
+  bench.world.run_for(30ms);
+  CHECK_FALSE(bench.world.sacu().is_attached());
+  CHECK(bench.board.heard.size() == 15);
+
+  bench.world.attach_sacu();
+  bench.world.attach_sacu();  // once is enough
+  bench.board.heard.clear();
+  bench.board.to_say = {0x61, 0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x9E, 0x0F};
+  bench.board.say_at = 42'950us;
+  bench.world.run_for(20ms);
+  CHECK(bench.board.heard == Bytes{0x60, 0xC0, 0xC0, 0xFF, 0xC0, 0x80, 0x84, 0x80, 0xDC, 0x0F,  //
+                                   0x61, 0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x9E, 0x0F,  //
+                                   0x69, 0x8A, 0x89, 0xDE, 0xAD, 0xC5, 0xA5, 0x82, 0x8C, 0x0F});
+  CHECK(bench.diary.bytes.back().sender == Sender::sacu);
+  CHECK(bench.world.remote().statistics().answers == 1);
+  CHECK(bench.world.remote().statistics().bad == 0);
+  CHECK(bench.world.sacu().bad() == 0);
+
+  bench.world.detach_sacu();
+  bench.board.to_say = {0x61, 0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x9E, 0x0F};
+  bench.board.say_at = 62'950us;
+  bench.world.run_for(20ms);
+  CHECK(bench.board.heard.size() == 50);
+}
+
+TEST_CASE("The attendant control sits at the power module's end of a cut cable") {
+  Bench bench;
+  bench.world.remote().timing.wake = 5ms;
+  bench.world.remote().start(bench.world.now());
+  bench.world.attach_sacu();
+  bench.world.wire().cut(bench.world.now());
+  bench.board.to_say = {0x05, 0x80, 0xFA, 0x0F};
+  bench.board.say_at = 23'200us;
+  bench.world.run_for(30ms);
+  CHECK(bench.board.heard == Bytes{0x05, 0x80, 0xFA, 0x0F, 0x69, 0x8A, 0x89, 0xDE, 0xAD, 0xC5, 0xA5, 0x82, 0x8C, 0x0F});
+  CHECK_FALSE(bench.world.remote().is_sending_generals());
+}
+
+TEST_CASE("Who is plugged in while somebody speaks hears the rest as strays") {
+  Bench bench;
+  bench.world.remote().timing.wake = 5ms;
+  bench.world.remote().start(bench.world.now());
+  bench.world.run_until(21ms);
+  bench.world.attach_sacu();
+  bench.world.run_for(9ms);
+  CHECK(bench.world.sacu().bad() == 1);
+}
+
 TEST_CASE("Samples come every millisecond and tell pins, controls and chair") {
   Bench bench;
   bench.board.is_on = true;

@@ -104,6 +104,36 @@ TEST_CASE("a gentler fall that was asked for without leave is overruled, a harde
   CHECK(gate.right() == 900);
 }
 
+TEST_CASE("without leave the larger demand falls, and the smaller may keep its share of it", "[SB-2.17]") {
+  Gate gate;
+  gate.hold(1000, -500, 100);
+  gate.facts.may_drive = false;
+  gate.pass(980, -490);
+  CHECK(gate.left() == 980);
+  CHECK(gate.right() == -490);
+  gate.pass(980, -490);  // the larger one is made to fall, the smaller one may not grow
+  CHECK(gate.left() == 968);
+  CHECK(gate.right() == -490);
+  gate.pass(0, -500);
+  CHECK(gate.left() == 0);
+  CHECK(gate.right() == -490);
+  gate.pass(0, -490);  // now it is the larger one
+  CHECK(gate.right() == -478);
+}
+
+TEST_CASE("without leave both demands are zero within 1500 ms, whatever is asked and however they differ",
+          "[SB-2.17][H-04]") {
+  for (const int right : {full, 8192, 100, 1, 0, -1, -5000, -full}) {
+    Gate gate;
+    gate.hold(full, right, 300);
+    gate.facts.may_drive = false;
+    for (int i = 0; i < 1500; ++i) {
+      gate.pass(full, right);
+    }
+    CHECK(gate.out.is_zero());
+  }
+}
+
 TEST_CASE("from standstill nothing starts without leave", "[H-01]") {
   Gate gate;
   gate.facts.may_drive = false;
@@ -200,6 +230,7 @@ TEST_CASE("whatever it is handed, the gate keeps its rules", "[H-01][H-07][H-13]
       gate.facts.general_age = Millis(static_cast<std::uint32_t>(random(80)));
     }
     gate.pass(random(65536) - 32768, random(2) * full);
+    const int fallen = std::max(0, std::max(std::abs(left), std::abs(right)) - 12);
     for (const auto& [before, after] : {std::pair{left, gate.left()}, std::pair{right, gate.right()}}) {
       const int grown = std::abs(after) - std::abs(before);
       const bool may_rise = gate.facts.may_drive && gate.facts.general_age <= 66_ms;
@@ -207,7 +238,7 @@ TEST_CASE("whatever it is handed, the gate keeps its rules", "[H-01][H-07][H-13]
       REQUIRE(grown <= 66);
       REQUIRE((before == 0 || after == 0 || (before > 0) == (after > 0)));
       if (!may_rise) {
-        REQUIRE(std::abs(after) <= std::max(0, std::abs(before) - 12));
+        REQUIRE(std::abs(after) <= std::min(std::abs(before), fallen));
       }
       if (!gate.facts.allows_torque) {
         REQUIRE(after == 0);

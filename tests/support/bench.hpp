@@ -41,9 +41,10 @@ class Bench {
   static constexpr Microseconds longest_test = Microseconds{3600} * 1000000;
   // A receiver hands a character over at its first stop bit, before the second has ended.
   static constexpr Microseconds until_delivered = 250;
-  // What the default ramps may change in a millisecond, rounded up: 145 permille a second up, 800 down.
-  static constexpr int most_rise = 3;
-  static constexpr int most_fall = 14;
+  // What the default ramps may change a wheel in a millisecond, rounded up: at most 480 permille a second of speed down
+  // and 350 of turn up, which make an inner wheel run backwards; in a stop 800 of each down.
+  static constexpr int most_rise = 14;
+  static constexpr int most_fall = 27;
 
   explicit Bench(std::uint32_t start_ms = 1000, const spm::Settings& settings = spm::Settings())
       : now_(Microseconds{start_ms} * 1000), begin_(now_), spm_(settings) {
@@ -217,6 +218,7 @@ class Bench {
         FAIL("a spoken turn breaks the wire's rules: " << what);
       }
     };
+    demand(static_cast<Microseconds>(turn.size()) * character <= 8500, "the length of a turn (SB-2.2)");
     std::size_t at = 0;
     while (at < turn.size() && turn[at] != 0x0F) {
       const std::size_t length = turn[at] / 16U + 1U;
@@ -254,18 +256,24 @@ class Bench {
     if (is_off() && (!is_still() || !is_braked())) {
       FAIL("the latch let go of a chair that was not at rest (H-14)");
     }
-    if (outputs_.are_pins_as_before && !has_same_pins(before)) {
+    if (outputs_.are_motors_as_before && !has_same_motors(before)) {
+      FAIL("a pin of motors or brakes changed that was said to be as before");
+    }
+    if (outputs_.are_switches_as_before && !has_same_switches(before)) {
       FAIL("a pin changed that was said to be as before");
     }
     watch_wheel(before.left.count(), left(), left_past_);
     watch_wheel(before.right.count(), right(), right_past_);
   }
 
-  bool has_same_pins(const spm::Outputs& before) const {
+  bool has_same_motors(const spm::Outputs& before) const {
     return before.left == outputs_.left && before.right == outputs_.right &&
            before.bridge_enabled == outputs_.bridge_enabled && before.relay_closed == outputs_.relay_closed &&
-           before.left_brake == outputs_.left_brake && before.right_brake == outputs_.right_brake &&
-           before.left_indicator == outputs_.left_indicator && before.right_indicator == outputs_.right_indicator &&
+           before.left_brake == outputs_.left_brake && before.right_brake == outputs_.right_brake;
+  }
+
+  bool has_same_switches(const spm::Outputs& before) const {
+    return before.left_indicator == outputs_.left_indicator && before.right_indicator == outputs_.right_indicator &&
            before.headlight == outputs_.headlight && before.status_led == outputs_.status_led &&
            before.latch == outputs_.latch;
   }

@@ -1,5 +1,6 @@
 // bus/shark: frames to packets and packets to bytes.
 #include "bus/shark/codec.hpp"
+#include "bus/shark/turn.hpp"
 #include "tests/vectors/groups.hpp"
 #include "tests/vectors/random.hpp"
 
@@ -20,8 +21,8 @@ Frame frame_of(Type type, const uint8_t (&data)[longest_data], uint8_t length) {
 }
 
 // Each byte through all its values in an otherwise empty frame, then noise.
-void each_frame(Record& record, Type type, void (*take)(Record& record, const Frame& frame)) {
-  for (uint8_t length = 6; length <= longest_data; ++length) {
+void each_frame(Record& record, Type type, uint8_t least, void (*take)(Record& record, const Frame& frame)) {
+  for (uint8_t length = least; length <= longest_data; ++length) {
     for (uint8_t place = 0; place < length; ++place) {
       for (uint8_t value = 0; value <= 0x7F; ++value) {
         uint8_t data[longest_data] = {};
@@ -36,7 +37,7 @@ void each_frame(Record& record, Type type, void (*take)(Record& record, const Fr
     for (uint8_t& byte : data) {
       byte = static_cast<uint8_t>(random.one_in(4) ? 0x7F : random.byte() & 0x7F);
     }
-    take(record, frame_of(type, data, static_cast<uint8_t>(6 + random.below(3))));
+    take(record, frame_of(type, data, static_cast<uint8_t>(least + random.below(9U - least))));
   }
 }
 
@@ -79,9 +80,65 @@ void take_power_up(Record& record, const Frame& frame) {
   record.add(flags.bits());
 }
 
-void add_packet(Record& record, const Packet& packet) {
-  record.add(packet.bytes().size());
-  for (const uint8_t byte : packet.bytes()) {
+void take_hhp_data(Record& record, const Frame& frame) {
+  const HhpData packet = decode_sr_hhp_data(frame);
+  record.add(packet.count);
+  for (uint8_t i = 0; i < packet.count; ++i) {
+    record.add(packet.characters[i]);
+  }
+}
+
+void take_calibration(Record& record, const Frame& frame) {
+  const JoystickCalibration packet = decode_joystick_calibration(frame);
+  Flags flags;
+  flags << packet.second_pass << packet.neutral_seen << packet.forward_seen << packet.reverse_seen << packet.left_seen
+        << packet.right_seen;
+  record.add(flags.bits());
+}
+
+void take_factory_test(Record& record, const Frame& frame) {
+  const FactoryTest packet = decode_factory_test(frame);
+  record.add(packet.is_for_sacu);
+  record.add(packet.command);
+  record.add(packet.address);
+  record.add(packet.data);
+}
+
+void take_sacu_general(Record& record, const Frame& frame) {
+  const SacuGeneral packet = decode_sacu_general(frame);
+  record.add(packet.speed.count());
+  record.add(packet.direction.count());
+  record.add(packet.pot.count());
+  record.add(packet.requested_mode);
+  Flags flags;
+  flags << packet.joystick_error << packet.pot_error << packet.local_fault << packet.calibration_active
+        << packet.attendant << packet.non_critical_fault << packet.drive_inhibit;
+  record.add(flags.bits());
+}
+
+void take_sacu_power_up(Record& record, const Frame& frame) {
+  const SacuPowerUp packet = decode_sacu_power_up(frame);
+  record.add(packet.year);
+  record.add(packet.month);
+  record.add(packet.serial);
+  record.add(packet.version);
+  Flags flags;
+  flags << packet.supports_actuator2 << packet.supports_actuator1 << packet.has_speed_control;
+  record.add(flags.bits());
+}
+
+// As it goes over the wire.
+Turn wire_of(const Frame& frame) {
+  Turn turn;
+  turn.open();
+  turn.add(frame);
+  return turn;
+}
+
+void add_packet(Record& record, const Frame& frame) {
+  const Turn turn = wire_of(frame);
+  record.add(turn.bytes().size());
+  for (const uint8_t byte : turn.bytes()) {
     record.add(byte);
   }
 }
@@ -148,7 +205,7 @@ void admissions(Record& record) {
 }
 
 void general_decoding(Record& record) {
-  each_frame(record, Type::sr_general, take_general);
+  each_frame(record, Type::sr_general, 6, take_general);
 
   const SrGeneral neutral = decode_sr_general(frame_of(Type::sr_general, {0x40, 0x40, 0x7F, 0x40}, 6));
   record.known(neutral.speed.count(), 512);
@@ -167,7 +224,7 @@ void general_decoding(Record& record) {
 }
 
 void power_up_decoding(Record& record) {
-  each_frame(record, Type::sr_power_up, take_power_up);
+  each_frame(record, Type::sr_power_up, 6, take_power_up);
 
   const SrPowerUp remote =
       decode_sr_power_up(frame_of(Type::sr_power_up, {0x01, 0x18, 0x0C, 0x7F, 0x7F, 0x7F, 0x25, 0x07}, 8));
@@ -181,6 +238,65 @@ void power_up_decoding(Record& record) {
       5 * 16384L + 2 * 128 + 1);
 }
 
+void hhp_data(Record& record) {
+  each_frame(record, Type::sr_hhp_data, 1, take_hhp_data);
+  Random random(17);
+  for (uint16_t i = 0; i < 500; ++i) {
+    HhpData packet;
+    packet.count = static_cast<uint8_t>(1 + random.below(8));
+    for (uint8_t& character : packet.characters) {
+      character = random.byte() & 0x7F;
+    }
+    add_packet(record, encode(packet));
+  }
+
+  const HhpData heard = decode_sr_hhp_data(frame_of(Type::sr_hhp_data, {0x48, 0x69, 0x0D}, 3));
+  record.known(heard.count, 3);
+  record.known(heard.characters[2], 0x0D);
+  HhpData shown;
+  shown.characters[0] = 0x41;
+  shown.count = 1;
+  const Turn packet = wire_of(encode(shown));
+  record.known(packet.bytes().size(), 3);
+  record.known(packet.bytes()[0], 0x03);
+  record.known(packet.bytes()[1], 0xC1);
+  record.known(packet.bytes()[2], 0xBB);  // 03 + C1 = C4, of which 44 counts
+}
+
+void calibration_and_factory_test(Record& record) {
+  each_frame(record, Type::joystick_calibration, 1, take_calibration);
+  each_frame(record, Type::factory_test, 3, take_factory_test);
+
+  const JoystickCalibration progress = decode_joystick_calibration(frame_of(Type::joystick_calibration, {0x28}, 1));
+  record.known(progress.second_pass, 1);
+  record.known(progress.neutral_seen, 0);
+  record.known(progress.forward_seen, 1);
+  const FactoryTest test = decode_factory_test(frame_of(Type::factory_test, {0x73, 0x43, 0x25}, 3));
+  record.known(test.is_for_sacu, 1);
+  record.known(test.command, 3);
+  record.known(test.address, 0xC3);
+  record.known(test.data, 0xA5);
+}
+
+void sacu_decoding(Record& record) {
+  each_frame(record, Type::sacu_general, 6, take_sacu_general);
+  each_frame(record, Type::sacu_power_up, 7, take_sacu_power_up);
+
+  const SacuGeneral general =
+      decode_sacu_general(frame_of(Type::sacu_general, {0x40, 0x40, 0x7F, 0x40, 0x04, 0x03}, 6));
+  record.known(general.speed.count(), 512);
+  record.known(general.pot.count(), 255);
+  record.known(general.attendant, 1);
+  record.known(general.drive_inhibit, 0);
+  record.known(general.requested_mode, 3);
+  const SacuPowerUp power_up =
+      decode_sacu_power_up(frame_of(Type::sacu_power_up, {0x0A, 0x09, 0x5E, 0x2D, 0x45, 0x25, 0x02}, 7));
+  record.known(power_up.month, 9);
+  record.known(static_cast<int32_t>(power_up.serial), 1545925);  // 94 * 16384 + 45 * 128 + 69
+  record.known(power_up.supports_actuator1, 1);
+  record.known(power_up.has_speed_control, 0);
+}
+
 void general_encoding(Record& record) {
   Random random(5);
   for (uint16_t i = 0; i < 1500; ++i) {
@@ -188,14 +304,14 @@ void general_encoding(Record& record) {
   }
 
   SpmGeneral general;
-  const Packet empty = encode(general);
+  const Turn empty = wire_of(encode(general));
   record.known(empty.bytes().size(), 9);
   record.known(empty.bytes()[0], 0x61);
   record.known(empty.bytes()[1], 0x80);
   record.known(empty.bytes()[8], 0x9E);  // 7F - 61, and the marker
   general.fuel_gauge = 18;
   general.speedo = 31;
-  const Packet fast = encode(general);
+  const Turn fast = wire_of(encode(general));
   record.known(fast.bytes()[1], 0x92);
   record.known(fast.bytes()[7], 0x9F);
   record.known(fast.bytes()[8], 0xED);  // 61 + 12 + 1F = 92, of which 12 counts
@@ -218,11 +334,11 @@ void other_encodings(Record& record) {
     add_packet(record, encode(packet));
   }
 
-  const Packet power_up = encode(SpmPowerUp());
+  const Turn power_up = wire_of(encode(SpmPowerUp()));
   record.known(power_up.bytes()[0], 0x05);
   record.known(power_up.bytes()[1], 0x80);
   record.known(power_up.bytes()[2], 0xFA);
-  const Packet settings = encode(SpmSettings());
+  const Turn settings = wire_of(encode(SpmSettings()));
   record.known(settings.bytes()[0], 0x1A);
   record.known(settings.bytes()[1], 0x85);
   record.known(settings.bytes()[2], 0xA7);

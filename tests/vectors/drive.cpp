@@ -9,6 +9,7 @@ namespace vectors {
 
 using bus::shark::JoystickReading;
 using bus::shark::PotReading;
+using spm::Command;
 using spm::Demand;
 using spm::DriveProfile;
 using spm::Setting;
@@ -44,6 +45,17 @@ void add_wheels(Record& record, const Wheels& wheels) {
              static_cast<uint16_t>(wheels.right.count()));
 }
 
+Command command(int16_t forward, int16_t turn) {
+  Command made;
+  made.forward = forward;
+  made.turn = turn;
+  return made;
+}
+
+Wheels targets_of(const Stick& stick, const DriveProfile& profile, bool is_limping) {
+  return mix(command_of(stick, profile, is_limping));
+}
+
 void add_targets(Record& record, const Stick& stick, const DriveProfile& profile) {
   record.add(is_at_rest(stick, profile));
   add_wheels(record, targets_of(stick, profile, false));
@@ -68,12 +80,15 @@ void add_profile(Record& record, const DriveProfile& profile) {
   record.add(profile.acceleration);
   record.add(profile.forward_deceleration);
   record.add(profile.reverse_deceleration);
+  record.add(profile.turn_acceleration);
+  record.add(profile.turn_deceleration);
   record.add(profile.emergency_deceleration);
 }
 
-void step_often(spm::Ramps& ramps, const Wheels& targets, const DriveProfile& profile, uint16_t times) {
+void step_often(spm::Ramps& ramps, const Command& command, const DriveProfile& profile, uint16_t times) {
+  ramps.aim_at(command);
   for (uint16_t i = 0; i < times; ++i) {
-    ramps.step(targets, profile);
+    ramps.step(profile);
   }
 }
 
@@ -106,19 +121,24 @@ void profiles(Record& record) {
   record.known(shipped.axis_gain, 589);   // 16384 * 16 / 445 = 589.09
   record.known(shipped.pot_floor, 3604);  // 0.22 * 16384 = 3604.48
   record.known(shipped.forward_maximum, 16384);
-  record.known(shipped.turn_maximum, 5734);            // 0.35 * 16384 = 5734.4
-  record.known(shipped.limp_maximum, 6554);            // 0.4 * 16384 = 6553.6
-  record.known(shipped.speedo_gain, 248);              // 31 * 2^17 / 16384
-  record.known(shipped.acceleration, 608);             // 145 * 4194 / 1000 = 608.13
-  record.known(shipped.emergency_deceleration, 3355);  // 800 * 4194 / 1000 = 3355.2
+  record.known(shipped.turn_maximum, 5734);  // 0.35 * 16384 = 5734.4
+  record.known(shipped.limp_maximum, 6554);  // 0.4 * 16384 = 6553.6
+  record.known(shipped.speedo_gain, 248);    // 31 * 2^17 / 16384
+  // 2^14 * 256 / 10^6 = 4.194304 for each permille a second.
+  record.known(shipped.acceleration, 608);             // 608.2
+  record.known(shipped.forward_deceleration, 2013);    // 2013.3
+  record.known(shipped.reverse_deceleration, 1342);    // 1342.2
+  record.known(shipped.turn_acceleration, 1468);       // 1468.0
+  record.known(shipped.turn_deceleration, 2517);       // 2516.6
+  record.known(shipped.emergency_deceleration, 3355);  // 3355.4
   Settings slow;
   slow.set(Setting::forward_maximum, 100);
   slow.set(Setting::acceleration, 2000);
   slow.set(Setting::deadband, 100);
   slow.set(Setting::stick_travel, 200);
-  record.known(make_profile(slow).speedo_gain, 2480);  // 31 * 2^17 / 1638 = 2480.6
-  record.known(make_profile(slow).acceleration, 8388);
-  record.known(make_profile(slow).axis_gain, 2621);  // 16384 * 16 / 100
+  record.known(make_profile(slow).speedo_gain, 2480);   // 31 * 2^17 / 1638 = 2480.6
+  record.known(make_profile(slow).acceleration, 8389);  // 8388.6
+  record.known(make_profile(slow).axis_gain, 2621);     // 16384 * 16 / 100
 }
 
 void targets(Record& record) {
@@ -213,45 +233,111 @@ void speedo(Record& record) {
   record.known(speedo_of(both(16384), profiles[1]), 31);  // 310, but there is no more than 31
 }
 
+namespace {
+
+// Any command whose sum fits, the ends above all.
+Command any_command(Random& random) {
+  const int16_t ends[] = {0, 1, -1, 8192, -8192, 16383, -16383, 16384, -16384};
+  const int16_t turn = random.any_of(ends);
+  const int16_t room = static_cast<int16_t>(16384 - (turn < 0 ? -turn : turn));
+  const int16_t speeds[] = {0, room, static_cast<int16_t>(-room), static_cast<int16_t>(room / 2),
+                            static_cast<int16_t>(room / -3)};
+  return command(random.any_of(speeds), turn);
+}
+
+void wander(Record& record, Random& random) {
+  const DriveProfile profile = make_profile(any_extremes(random));
+  spm::Ramps ramps;
+  bool is_stopping = false;
+  for (uint16_t i = 0; i < 500; ++i) {
+    if (random.one_in(64)) {
+      ramps.aim_at(any_command(random));
+      is_stopping = random.one_in(3);
+    }
+    if (is_stopping || random.one_in(32)) {
+      ramps.stop(profile);
+    } else {
+      ramps.step(profile);
+    }
+    if (random.one_in(64)) {
+      const Wheels asked = ramps.demand();
+      const int16_t left = asked.left.count();
+      ramps.yield_to(Wheels{Demand(static_cast<int16_t>(left - left / 3)), random.one_in(2) ? asked.right : Demand(0)});
+    }
+    add_wheels(record, ramps.demand());
+  }
+}
+
+void know_speed_ramps(Record& record, const DriveProfile& shipped) {
+  const Command ahead = command(16384, 0);
+  spm::Ramps ramps;
+  step_often(ramps, command(-16384, 0), shipped, 1);
+  know_wheels(record, ramps.demand(), -2, -2);  // 608 / 256
+  ramps.clear();
+  step_often(ramps, ahead, shipped, 100);
+  know_wheels(record, ramps.demand(), 237, 237);  // 60800 / 256
+  step_often(ramps, ahead, shipped, 6798);
+  know_wheels(record, ramps.demand(), 16382, 16382);  // 6898 * 608 / 256 = 16382.75
+  step_often(ramps, ahead, shipped, 1);
+  know_wheels(record, ramps.demand(), 16384, 16384);  // 16385 and 32/256
+  step_often(ramps, command(-16384, 0), shipped, 1);
+  know_wheels(record, ramps.demand(), 16377, 16377);  // less (2013 + 32) / 256 = 7 and 253/256
+  step_often(ramps, ahead, shipped, 4);               // 3, 2 and 3 steps, then none; 29/256 are left over
+  stop_often(ramps, shipped, 1250);
+  know_wheels(record, ramps.demand(), 3, 3);  // 16384 - (1250 * 3355 + 29) / 256
+  stop_often(ramps, shipped, 1);
+  know_wheels(record, ramps.demand(), 0, 0);
+}
+
+void know_turn_ramps(Record& record, const DriveProfile& shipped) {
+  spm::Ramps ramps;
+  // The curve is 5734 / 10650 = 138 / 256. The speed goes to 2, 4, 7, 9, 11, 14 and 16; in the seventh millisecond the
+  // first six steps of turn fit, as 14 * 138 / 256 = 7.
+  step_often(ramps, command(10650, 5734), shipped, 6);
+  know_wheels(record, ramps.demand(), 14, 14);
+  step_often(ramps, command(10650, 5734), shipped, 1);
+  know_wheels(record, ramps.demand(), 22, 10);
+  ramps.clear();
+  step_often(ramps, command(1000, 5734), shipped, 2);
+  know_wheels(record, ramps.demand(), 15, -7);  // 1216 / 256 = 4 and 2936 / 256 = 11, which is less than 4 * 5.7
+  ramps.clear();
+  step_often(ramps, command(0, 5734), shipped, 100);
+  know_wheels(record, ramps.demand(), 573, -573);  // 146800 / 256, 112/256 are left over
+  stop_often(ramps, shipped, 1);
+  know_wheels(record, ramps.demand(), 560, -560);  // less (3355 + 112) / 256
+}
+
+void know_stop_in_curve(Record& record, const DriveProfile& shipped) {
+  spm::Ramps ramps;
+  step_often(ramps, command(10000, 3000), shipped, 5000);  // 4211 * 608 / 256 = 10001 and 32/256
+  know_wheels(record, ramps.demand(), 13000, 7000);
+  stop_often(ramps, shipped, 100);                   // 10000 - (100 * 3355 + 32) / 256 = 8690, and 0.3 of it
+  know_wheels(record, ramps.demand(), 11297, 6083);  // 8690 +- 2607
+  stop_often(ramps, shipped, 663);
+  know_wheels(record, ramps.demand(), 1, 1);  // 10000 - (763 * 3355 + 32) / 256
+  step_often(ramps, command(10000, 3000), shipped, 5000);
+  ramps.yield_to(Wheels{Demand(12990), Demand(6999)});  // 10 and 1 less: 5.5 of speed, 4.5 of turn, halves left over
+  know_wheels(record, ramps.demand(), 12991, 6999);
+}
+
+}  // namespace
+
 void ramps(Record& record) {
   Random random(13);
   for (uint8_t i = 0; i < 60; ++i) {
-    const DriveProfile profile = make_profile(any_extremes(random));
-    spm::Ramps ramps;
-    Wheels wanted;
-    for (uint16_t j = 0; j < 500; ++j) {
-      if (random.one_in(64)) {
-        const int16_t ends[] = {0, 1, -1, 8192, -8192, 16383, -16383, 16384, -16384};
-        wanted.left = Demand(random.any_of(ends));
-        wanted.right = Demand(random.any_of(ends));
-      }
-      if (random.one_in(8)) {
-        ramps.stop(profile);
-      } else {
-        ramps.step(wanted, profile);
-      }
-      add_wheels(record, ramps.demand());
-    }
+    wander(record, random);
   }
+  know_speed_ramps(record, make_profile(Settings()));
+}
 
+void curves(Record& record) {
+  Random random(15);
+  for (uint8_t i = 0; i < 20; ++i) {
+    wander(record, random);
+  }
   const DriveProfile shipped = make_profile(Settings());
-  spm::Ramps ramps;
-  ramps.step(both(-16384), shipped);
-  know_wheels(record, ramps.demand(), -2, -2);  // 608 / 256
-  ramps.clear();
-  step_often(ramps, both(16384), shipped, 100);
-  know_wheels(record, ramps.demand(), 237, 237);  // 60800 / 256
-  step_often(ramps, both(16384), shipped, 6798);
-  know_wheels(record, ramps.demand(), 16382, 16382);  // 6898 * 608 / 256 = 16382.75
-  step_often(ramps, both(16384), shipped, 1);
-  know_wheels(record, ramps.demand(), 16384, 16384);
-  step_often(ramps, both(-16384), shipped, 1);
-  know_wheels(record, ramps.demand(), 16376, 16376);  // less 2013 / 256
-  step_often(ramps, both(16384), shipped, 4);
-  stop_often(ramps, shipped, 1250);
-  know_wheels(record, ramps.demand(), 2, 2);  // 2^22 - 1250 * 3355 = 554
-  stop_often(ramps, shipped, 1);
-  know_wheels(record, ramps.demand(), 0, 0);
+  know_turn_ramps(record, shipped);
+  know_stop_in_curve(record, shipped);
 }
 
 }  // namespace vectors

@@ -52,6 +52,7 @@ void start() {}
 base::Stamp stamp() {
   return base::Stamp();
 }
+void tick_twice(bool) {}
 }  // namespace clock
 
 namespace power_latch {
@@ -64,6 +65,8 @@ void start() {}
 bool take(base::HeardByte&) {
   return false;
 }
+void expect(uint8_t) {}
+
 void arm(uint8_t, base::Span<const uint8_t>) {}
 void speak(base::Span<const uint8_t>) {}
 void hush() {}

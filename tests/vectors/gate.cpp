@@ -79,6 +79,13 @@ void drive_gate(Record& record) {
   record.known(pass_often(gate, 16384, leave(true, true, 0), 124), 8184);
   record.known(pass_often(gate, 16384, leave(true, true, 0), 1), 8192);
   record.known(pass_often(gate, 16384, GateFacts(), 1), 0);
+
+  DriveGate curve;
+  record.known(pass_often(curve, 660, leave(true, false, 0), 10), 660);
+  const Wheels slower{Demand(640), Demand(600)};
+  record.known(curve.pass(slower, leave(false, false, 0)).right.count(), 600);
+  record.known(curve.pass(slower, leave(false, false, 0)).left.count(), 628);
+  record.known(curve.pass(slower, leave(false, false, 0)).right.count(), 600);
 }
 
 }  // namespace vectors

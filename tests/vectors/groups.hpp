@@ -13,7 +13,7 @@ struct Group {
   void (*run)(Record& record);
 };
 
-constexpr uint8_t group_count = 26;
+constexpr uint8_t group_count = 31;
 extern const Group groups[group_count];
 
 // drivers/base
@@ -26,6 +26,9 @@ void wire_bytes(Record& record);
 void admissions(Record& record);
 void general_decoding(Record& record);
 void power_up_decoding(Record& record);
+void hhp_data(Record& record);
+void calibration_and_factory_test(Record& record);
+void sacu_decoding(Record& record);
 void general_encoding(Record& record);
 void other_encodings(Record& record);
 void framer(Record& record);
@@ -40,8 +43,10 @@ void targets(Record& record);
 void targets_at_extremes(Record& record);
 void speedo(Record& record);
 void ramps(Record& record);
+void curves(Record& record);
 void drive_gate(Record& record);
 void fuel_gauge(Record& record);
+void programmer(Record& record);
 void board(Record& record);
 void whole_module(Record& record);
 void sleepy_module(Record& record);

@@ -87,7 +87,8 @@ void power_down(Record& record, ModuleBench& bench) {
 // Any packet that could come, and much that should not.
 void say_anything(ModuleBench& bench, Random& random) {
   const Type types[] = {Type::sr_general,   Type::sr_general,   Type::sr_general,   Type::sr_power_up,
-                        Type::factory_test, Type::sacu_general, Type::spm_settings, Type::joystick_calibration};
+                        Type::factory_test, Type::sacu_general, Type::spm_settings, Type::joystick_calibration,
+                        Type::sr_hhp_data,  Type::sacu_power_up};
   const Type type = random.any_of(types);
   const uint8_t length = static_cast<uint8_t>(1 + random.below(8));
   uint8_t data[longest_data];
@@ -132,6 +133,7 @@ void whole_module(Record& record) {
   settings.set(spm::Setting::acceleration, 2000);
   settings.set(spm::Setting::forward_deceleration, 2000);
   settings.set(spm::Setting::reverse_deceleration, 2000);
+  settings.set(spm::Setting::turn_acceleration, 2000);
   ModuleBench bench(record, settings);
   start_up(record, bench);
   drive(record, bench);

@@ -12,7 +12,7 @@ constexpr uint16_t character = 286;  // microseconds
 uint32_t switched(const spm::Outputs& out) {
   return (out.bridge_enabled ? 1U : 0U) | (out.relay_closed ? 2U : 0U) |
          (out.left_brake == spm::Brake::released ? 4U : 0U) | (out.right_brake == spm::Brake::released ? 8U : 0U) |
-         (out.status_led ? 16U : 0U) | (out.are_pins_as_before ? 32U : 0U) | (static_cast<uint32_t>(out.latch) << 8) |
+         (out.status_led ? 16U : 0U) | (out.are_motors_as_before ? 32U : 0U) | (static_cast<uint32_t>(out.latch) << 8) |
          (static_cast<uint32_t>(out.speech) << 10);
 }
 

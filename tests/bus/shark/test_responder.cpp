@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "bus/shark/codec.hpp"
+
 namespace {
 
 using namespace bus::shark;

@@ -19,8 +19,9 @@ struct Spoken {
 struct Bench {
   // `settings` are the first bytes of the EEPROM; the firmwares choose by them what to do.
   explicit Bench(const std::string& firmware, std::vector<std::uint8_t> settings = {0}, std::int32_t clock_error = 0,
-                 const std::string& folder = PILOTFISH_TEST_FIRMWARE_DIR)
-      : board(make_avr_board_with_insight({.image = image(firmware, folder), .clock_error_ppm = clock_error})) {
+                 const std::string& folder = PILOTFISH_TEST_FIRMWARE_DIR, bool watches_locks = false)
+      : board(make_avr_board_with_insight(
+            {.image = image(firmware, folder), .clock_error_ppm = clock_error, .watches_locks = watches_locks})) {
     board->set_eeprom(settings);
     board->on_speak([this](std::uint8_t value, Time start) { spoken.push_back({value, start}); });
   }

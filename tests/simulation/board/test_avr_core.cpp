@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "simulation/board/avr_image.hpp"
 #include "tests/simulation/board/bench.hpp"
 
 namespace simulation {
@@ -84,6 +85,72 @@ TEST_CASE("flags wait for their interrupt, and writing one clears just that flag
   CHECK(bench.byte("wake_cleared") == 0);
   CHECK(bench.byte("is_done") == 1);
   CHECK(bench.byte("wake_fired") == 1);
+}
+
+TEST_CASE("how long interrupts are off is told to the cycle, with the place, handlers apart") {
+  const AvrImage image = load_avr_image(Bench::image("locks"));
+  const auto run = [](std::uint8_t ways) {
+    Bench bench("locks", {ways}, 0, PILOTFISH_TEST_FIRMWARE_DIR, true);
+    bench.start().run(10ms);
+    const auto off = bench.board->interrupts_off();
+    REQUIRE(off.has_value());
+    CHECK(off->at_start.cycles > 10);
+    CHECK(off->at_start.from == 0);
+    return *off;
+  };
+
+  InterruptsOff off = run(0);
+  CHECK(off.by_program.cycles == 0);
+  CHECK(off.with_handlers.cycles == 0);
+
+  off = run(1);  // CLI to SEI
+  CHECK(off.by_program.cycles == 11);
+  CHECK(image.place_of(off.by_program.from) == "lock_shortly");
+  CHECK(off.with_handlers.cycles == 11);
+
+  off = run(3);  // CLI to a restored SREG, the second instruction of its function
+  CHECK(off.by_program.cycles == 31);
+  CHECK(image.place_of(off.by_program.from) == "lock_and_restore+0x2");
+
+  off = run(5);  // an interrupt
+  CHECK(off.by_program.cycles == 11);
+  CHECK(off.with_handlers.cycles == 21);
+  CHECK(off.with_handlers.from == 13 * 4);
+
+  off = run(9);  // the CLI of an interrupt that had let others in is no lock of the program
+  CHECK(off.by_program.cycles == 11);
+  CHECK(off.with_handlers.cycles == 24);
+  CHECK(image.place_of(off.with_handlers.from) == "__vector_14+0x3e");
+}
+
+TEST_CASE("watching interrupts changes no cycle of the run") {
+  const auto run = [](bool watches_locks) {
+    Bench bench("uart_burst", {0}, 0, PILOTFISH_TEST_FIRMWARE_DIR, watches_locks);
+    bench.start();
+    for (int burst = 0; burst < 3; ++burst) {
+      bench.wake(true).run(10ms).wake(false).run(3ms);
+    }
+    CHECK(bench.board->interrupts_off().has_value() == watches_locks);
+    return bench.spoken;
+  };
+  const auto spoken = run(false);
+  CHECK(spoken.size() == 30);
+  CHECK(spoken == run(true));
+}
+
+TEST_CASE("an interrupt's time ends with its RETI") {
+  Bench bench("locks", {4});
+  bench.start().run(10ms);
+  const auto uses = bench.board->interrupt_use();
+  REQUIRE(uses.size() == 1);
+  CHECK(uses[0].longest == 21);
+  CHECK(uses[0].cycles == 21 * uses[0].count);
+}
+
+TEST_CASE("an image tells its compiler and its places") {
+  const AvrImage image = load_avr_image(Bench::image("locks"));
+  CHECK_THAT(image.compiler, Contains("GCC"));
+  CHECK(AvrImage{}.place_of(0x2c4) == "0x2c4");
 }
 
 TEST_CASE("the stack's deepest reach is found") {

@@ -91,3 +91,30 @@ TEST_CASE("a packet without any bit says so") {
   bench.say(Sender::spm, 0ms, {0x05, 0x80, 0xFA, 0x0F});
   CHECK(bench.text() == "   0.0000 s  SPM   power-up     nothing set\n");
 }
+
+TEST_CASE("an attendant control has its own lines, and its turns are folded with the others") {
+  Bench bench;
+  for (int cycle = 0; cycle < 3; ++cycle) {
+    bench.say(Sender::sr, cycle * 20ms, neutral);
+    bench.say(Sender::spm, cycle * 20ms + 3ms, answer);
+    bench.say(Sender::sacu, cycle * 20ms + 6ms, {0x58, 0xC0, 0xC0, 0xFF, 0xC0, 0x84, 0x80, 0xE4, 0x0F});
+  }
+  CHECK(bench.text() ==
+        "   0.0000 s  SR    general      speed 512, direction 512, pot 255, HHP may send, requested mode 0\n"
+        "   0.0030 s  SPM   general      fuel gauge 18, lock mode enabled, system driving, mode 0, speedo 0\n"
+        "   0.0060 s  SACU  general      speed 512, direction 512, pot 255, attendant, requested mode 0\n"
+        "             ... 2 more cycles like this, until 0.0483 s\n");
+}
+
+TEST_CASE("characters of the programmer are told every time, and break no fold") {
+  Bench bench;
+  bench.say(Sender::sr, 0ms, neutral);
+  for (int cycle = 1; cycle < 4; ++cycle) {
+    bench.say(Sender::sr, cycle * 20ms, {0x60, 0xC0, 0xC0, 0xFF, 0xC0, 0x80, 0x84, 0x80, 0xDC, 0x02, 0x8D, 0xF0, 0x0F});
+  }
+  CHECK(bench.text() ==
+        "   0.0000 s  SR    general      speed 512, direction 512, pot 255, HHP may send, requested mode 0\n"
+        "   0.0226 s  SR    HHP data     \"\\r\"\n"
+        "   0.0426 s  SR    HHP data     \"\\r\"\n"
+        "   0.0626 s  SR    HHP data     \"\\r\"\n");
+}

@@ -84,3 +84,39 @@ TEST_CASE("a type the document reserves is shown in hex", "[SB-5.1]") {
   CHECK(decoded.name == "type 0B");
   CHECK(describe(decoded) == "0B 80 F4");
 }
+
+TEST_CASE("the attendant control's packets read as captured", "[SB-08.1][SB-09.1]") {
+  CHECK(describe_bytes({0x69, 0x8A, 0x89, 0xDE, 0xAD, 0xC5, 0xA5, 0x82, 0x8C}) ==
+        "year 2010, month 9, serial 1545925, version 2.5, actuator 1");
+  CHECK(describe_bytes({0x58, 0xC0, 0xC0, 0xFF, 0xC0, 0x84, 0x80, 0xE4}) ==
+        "speed 512, direction 512, pot 255, attendant, requested mode 0");
+  CHECK(describe_bytes({0x58, 0xC0, 0xC0, 0xFF, 0xC0, 0xFB, 0x82, 0xEB}) ==
+        "speed 512, direction 512, pot 255, joystick error, pot error, local fault, calibration active, non-critical "
+        "fault, drive inhibit, requested mode 2");
+}
+
+TEST_CASE("programmer data are shown as characters", "[SB-02.1][SB-03.1]") {
+  CHECK(describe_bytes({0x22, 0xD0, 0xCD, 0x8D, 0xB3}) == "\"PM\\r\"");
+  CHECK(describe_bytes({0x43, 0xA2, 0x90, 0xDC, 0x8A, 0xFF, 0x8D}) == "\"\\\"\\x10\\\\\\n\\x7f\"");
+  CHECK(decode_bytes({0x03, 0xC1, 0xBB}).name == "HHP data");
+}
+
+TEST_CASE("a calibration packet tells where the stick has been", "[SB-06.1]") {
+  CHECK(describe_bytes({0x06, 0xBF, 0xBA}) ==
+        "second pass, neutral seen, forward seen, reverse seen, left seen, right seen");
+  CHECK(describe_bytes({0x06, 0x8A, 0xEF}) == "forward seen, left seen");
+}
+
+TEST_CASE("a factory test packet reads as a command", "[SB-07.1]") {
+  CHECK(describe_bytes({0x27, 0xF5, 0x85, 0xC0, 0x9E}) == "command 05 write EEPROM, for the SACU, address 85, data C0");
+  CHECK(describe_bytes({0x27, 0x89, 0x80, 0x80, 0xCF}) == "command 09 undefined, address 00, data 00");
+}
+
+TEST_CASE("every packet type of the document has its name and its fields", "[SB-5.3]") {
+  for (int type = 0; type <= 0x0A; ++type) {
+    const PacketRow* row = find_packet(static_cast<std::uint8_t>(type));
+    REQUIRE(row != nullptr);
+    CHECK(row->is_text == row->fields.empty());
+  }
+  CHECK(find_packet(0x0B) == nullptr);
+}

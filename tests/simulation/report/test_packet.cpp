@@ -64,3 +64,24 @@ TEST_CASE("bytes with the marker outside any packet are one corrupt packet", "[S
   CHECK(heard[0].bytes.size() == 3);
   CHECK(heard[1].is(bus::shark::Type::spm_power_up));
 }
+
+TEST_CASE("two who speak at once are told, whatever is heard of them", "[SB-2.18]") {
+  std::vector<Packet> heard;
+  report::Listener listener([&](const Packet& packet) { heard.push_back(packet); });
+  listener.hear({1000us, 1286us, Sender::spm, 0x05, 0x05, false, false});
+  listener.hear({1100us, 1386us, Sender::sacu, 0x69, 0x01, false, false});
+  listener.hear({1286us, 1572us, Sender::spm, 0x82, 0x82, false, false});
+  listener.advance(5ms);
+  REQUIRE(heard.size() == 1);
+  CHECK(heard[0].kind == Packet::Kind::corrupt);
+  CHECK(heard[0].flaw == "two speak at once");
+}
+
+TEST_CASE("an answer that begins within a slow stop bit is no collision") {
+  std::vector<Packet> heard;
+  report::Listener listener([&](const Packet& packet) { heard.push_back(packet); });
+  listener.hear({1000us, 1286us, Sender::sr, 0x0F, 0x0F, false, false});
+  listener.hear({1270us, 1556us, Sender::spm, 0x0F, 0x0F, false, false});
+  REQUIRE(heard.size() == 2);
+  CHECK(heard[1].kind == Packet::Kind::finished);
+}

@@ -79,6 +79,32 @@ TEST_CASE("The remote itself can be changed") {
   CHECK(bench.world.remote().identity.general_length == 6);
 }
 
+TEST_CASE("What hands do to the attendant control is told by what changed") {
+  Bench bench;
+  Hands& hands = bench.hands;
+  CHECK(hands.apply(SetSacu{true}) == "an attendant control is plugged in");
+  CHECK(bench.world.sacu().is_attached());
+  CHECK(hands.apply(SetSacu{true}).empty());
+  CHECK(hands.apply(SetSacu{std::nullopt,
+                            {[](SacuControls& c) { c.speed = 700; }, [](SacuControls& c) { c.is_attendant = true; }},
+                            {{[](Sacu& s) { s.insists = true; }, "the attendant control insists"}}}) ==
+        "the attendant moves the stick, the attendant takes over, the attendant control insists");
+  CHECK(bench.world.sacu().controls.speed == 700);
+  CHECK(bench.world.sacu().insists);
+  CHECK(hands.apply(SetSacu{false}) == "the attendant control is unplugged");
+  CHECK_FALSE(bench.world.sacu().is_attached());
+}
+
+TEST_CASE("The programmer types into the remote, and can clear its screen") {
+  Bench bench;
+  CHECK(bench.hands.apply(UseProgrammer{"hi\r"}) == "the programmer sends \"hi\\r\"");
+  Programmer& programmer = bench.world.remote().programmer;
+  CHECK(programmer.take(8) == "hi\r");
+  programmer.show('x');
+  CHECK(bench.hands.apply(UseProgrammer{"", true}).empty());
+  CHECK(programmer.screen().empty());
+}
+
 TEST_CASE("Deeds on wire, ground and supply are done and told") {
   Bench bench;
   Hands& hands = bench.hands;

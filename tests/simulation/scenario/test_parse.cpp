@@ -126,3 +126,81 @@ TEST_CASE("full stick is full scale in both directions", "[SB-00.8]") {
   CHECK(controls.speed == 1023);
   CHECK(controls.direction == 0);
 }
+
+TEST_CASE("what an attendant control does becomes controls and habits") {
+  const auto scenario = parse_scenario(head +
+                                           "  - sacu: attached\n"
+                                           "  - sacu: {speed: 40%, attendant: on, drive inhibit: on, insists: on,"
+                                           " follows: SR, pause: 600us, capabilities: 7}\n"
+                                           "  - sacu: detached\n",
+                                       "file.yaml");
+  CHECK(std::get<SetSacu>(scenario.steps[0].action).is_attached == true);
+  CHECK(std::get<SetSacu>(scenario.steps[2].action).is_attached == false);
+  const auto& set = std::get<SetSacu>(scenario.steps[1].action);
+  CHECK_FALSE(set.is_attached);
+  Sacu sacu;
+  for (const auto& change : set.changes) {
+    change(sacu.controls);
+  }
+  for (const auto& habit : set.habits) {
+    habit.change(sacu);
+  }
+  CHECK(sacu.controls.speed == 716);
+  CHECK(sacu.controls.is_attendant);
+  CHECK(sacu.controls.drive_inhibit);
+  CHECK(sacu.insists);
+  CHECK(sacu.timing.is_rash);
+  CHECK(sacu.timing.pause == 600us);
+  CHECK(sacu.identity.capabilities == 7);
+}
+
+TEST_CASE("a remote's clock, stop bits and gaps can be set") {
+  const auto scenario = parse_scenario(
+      head + "  - remote: {bit rate: +2%, stop bits: 1, gap: 1300us, calibration packets: on}\n", "file.yaml");
+  Remote remote;
+  for (const auto& habit : std::get<SetRemote>(scenario.steps[0].action).habits) {
+    habit.change(remote);
+  }
+  CHECK(remote.timing.bit_us == Approx(25.531));
+  CHECK(remote.timing.stop_bits == 1);
+  CHECK(remote.timing.gap == 1300us);
+  CHECK(remote.sends_calibration);
+}
+
+TEST_CASE("the programmer's characters have eight bits") {
+  const auto scenario =
+      parse_scenario(head + "  - programmer: {types: \"a\\r\\x83\"}\n  - programmer: clears\n", "file.yaml");
+  CHECK(std::get<UseProgrammer>(scenario.steps[0].action).types == "a\r\x83");
+  CHECK(std::get<UseProgrammer>(scenario.steps[1].action).clears);
+  CHECK(complaints_about(head + "  - programmer: {types: \"\\u20ac\"}\n") ==
+        "file.yaml:3:25: a character is beyond 0xFF: the programmer's have eight bits, as in \"a\\x83\"");
+  CHECK(complaints_about(head + "  - programmer: {types: \"\"}\n") ==
+        "file.yaml:3:25: expected characters, as in \"hello\\r\"");
+}
+
+TEST_CASE("what the programmer shall see is shown with escapes") {
+  const auto scenario =
+      parse_scenario(head + "  - expect: {programmer sees: \"OK\\r\", programmer characters: \">= 3\"}\n", "file.yaml");
+  const auto& conditions = std::get<Expect>(scenario.steps[0].action).conditions;
+  REQUIRE(conditions.size() == 2);
+  CHECK(conditions[0].text == "programmer sees: \"OK\\r\"");
+}
+
+TEST_CASE("mistakes about remote, attendant control and programmer are named with a remedy") {
+  CHECK(complaints_about(head + "  - sacu: {atendant: on}\n") ==
+        "file.yaml:3:12: sacu has no 'atendant' (did you mean 'attendant'?)");
+  CHECK(complaints_about(head + "  - sacu: plugged\n") ==
+        "file.yaml:3:11: 'plugged' is not one of: attached, detached");
+  CHECK(complaints_about(head + "  - sacu: {pause: 100}\n") == "file.yaml:3:19: 100 has no unit: write 100ms");
+  CHECK(complaints_about(head + "  - remote: {bitrate: +2%}\n") ==
+        "file.yaml:3:14: remote has no 'bitrate' (did you mean 'bit rate'?)");
+  CHECK(complaints_about(head + "  - remote: {bit rate: +20%}\n") ==
+        "file.yaml:3:24: +20% is out of range: -10% to +10%");
+  CHECK(complaints_about(head + "  - remote: {stop bits: 3}\n") ==
+        "file.yaml:3:25: 3 must be a whole number from 1 to 2");
+  CHECK(complaints_about(head + "  - programmer: {type: \"x\"}\n") ==
+        "file.yaml:3:17: programmer needs 'types'\n"
+        "file.yaml:3:18: programmer has no 'type' (did you mean 'types'?)");
+  CHECK(complaints_about(head + "  - programer: clears\n") ==
+        "file.yaml:3:5: unknown step 'programer' (did you mean 'programmer'?)");
+}
