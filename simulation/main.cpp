@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "simulation/bench/bench.hpp"
+#include "simulation/monitor/clause.hpp"
 #include "simulation/scenario/batch.hpp"
 #include "simulation/scenario/lexicon.hpp"
 
@@ -81,6 +82,7 @@ int main(int argc, char** argv) {
   bench_order.image = default_image();
   add_bench(app, bench_order);
   app.add_subcommand("list-steps", "Prints every step, condition and fault of the scenario language");
+  app.add_subcommand("list-clauses", "Prints what the monitor watches in every run");
 
   try {
     app.parse(argc, argv);
@@ -89,6 +91,10 @@ int main(int argc, char** argv) {
   }
   if (app.got_subcommand("list-steps")) {
     std::cout << scenario::tell_lexicon();
+    return 0;
+  }
+  if (app.got_subcommand("list-clauses")) {
+    std::cout << monitor::tell_clauses();
     return 0;
   }
   if (app.got_subcommand("bench")) {

@@ -6,13 +6,17 @@ namespace spm {
 
 using namespace base;  // literals
 
-void FuelGauge::step(Millivolts battery, const Settings& settings, Instant now) {
+void FuelGauge::step(Millivolts battery, bool is_loaded, const Settings& settings, Instant now) {
   if (now - last_ < 100_ms) {
     return;
   }
   last_ = last_ + 100_ms;
   const int32_t measured = static_cast<int32_t>(battery.count()) * 16;
-  filtered_ = filtered_ == 0 ? measured : filtered_ + (measured - filtered_) / 32;
+  if (filtered_ == 0) {
+    filtered_ = measured;
+  } else if (!is_loaded) {
+    filtered_ = filtered_ + (measured - filtered_) / 32;
+  }
   is_settled_ = is_settled_ || now - started_ >= limits::gauge_settle;
   if (!is_settled_) {  // SB-01.1: reads 0 at first
     return;

@@ -1,4 +1,5 @@
-// How full the battery looks: its voltage, slowly filtered, on the bus's scale of 0 to 18 (SB-01.1).
+// How full the battery looks: its voltage at rest, slowly filtered, on the bus's scale of 0 to 18 (SB-01.1). Under load
+// the voltage says more about the load; the gauge keeps what it has.
 #pragma once
 
 #include <stdint.h>
@@ -12,8 +13,8 @@ namespace spm {
 class FuelGauge {
  public:
   void start(base::Instant now) { started_ = last_ = now; }
-  // Once a millisecond; works every 100th.
-  void step(base::Millivolts battery, const Settings& settings, base::Instant now);
+  // At least every 100 ms, which is its raster.
+  void step(base::Millivolts battery, bool is_loaded, const Settings& settings, base::Instant now);
 
   uint8_t value() const { return value_; }
 

@@ -11,9 +11,17 @@ namespace {
 constexpr uint8_t longest_catch_up = 5;  // milliseconds done at once after the loop was held up
 constexpr Millis longest_wait = 2_ms;    // for the bus, before a millisecond's work is done all the same
 
-// A pass for a packet's beginning, one shortly before its end, so that the last has little left to do, and the last.
-constexpr uint8_t characters_to_let_pass(uint8_t missing) {
-  return missing > 3 ? static_cast<uint8_t>(missing - 2) : missing;
+// Characters that need no pass of the loop. No packet is complete before its third; TF alone is the transmitter's
+// affair and may wait for the next millisecond. A packet that is answered gets a pass shortly before its end, so that
+// the last has little left to do.
+uint8_t characters_to_let_pass(const Framer& framer) {
+  constexpr uint8_t shortest_packet = 3;
+  const uint8_t missing = framer.missing();
+  if (missing == 0) {
+    return shortest_packet;
+  }
+  const bool is_answered = framer.is_receiving(Type::sr_general) || framer.is_receiving(Type::sr_power_up);
+  return is_answered && missing > shortest_packet ? static_cast<uint8_t>(missing - 2) : missing;
 }
 
 }  // namespace
@@ -33,7 +41,7 @@ const Outputs& Spm::step(const Inputs& in, Instant now) {
   }
   do_timed_work(in, now);
   outputs_.is_time_pressing = link_.is_near_silence();
-  outputs_.awaited = characters_to_let_pass(framer_.missing());
+  outputs_.awaited = characters_to_let_pass(framer_);
   outputs_.speech = responder_.speech();
   outputs_.turn = responder_.turn().bytes();
   return outputs_;
@@ -69,7 +77,9 @@ void Spm::hear(const Inputs& in, Instant now) {
     const HeardByte& byte = in.heard[i];
     const Stamp before = framer_.last_byte();
     const Verdict verdict = framer_.feed(byte);
-    take_verdict(verdict, in, verdict.silence ? before : byte.at, now);
+    if (!verdict.is_empty()) {
+      take_verdict(verdict, in, verdict.silence ? before : byte.at, now);
+    }
   }
 }
 
@@ -288,17 +298,26 @@ void Spm::answer_power_up() {
 }
 
 void Spm::answer_general(Millis period, Instant now) {
+  if (!responder_.is_earned()) {  // a second general in one turn replaces the answer, it does not make another one
+    count_towards_settings(period, now);
+  }
   Turn& turn = responder_.open();
   turn.add(encode(report()));  // SB-2.7: general first
   programmer_.add_to(turn, general_.hhp_may_send);
-  // SB-0A.1: as often as real modules, but never so late that the answer after this one would exceed the second.
-  if (until_settings_ == 0 || now - settings_at_ + period > limits::longest_without_settings) {
+  if (are_settings_due_) {
     turn.add(encode(reported_settings()));
+  }
+  responder_.close();
+}
+
+// SB-0A.1: as often as real modules, but never so late that the answer after this one would exceed the second.
+void Spm::count_towards_settings(Millis period, Instant now) {
+  are_settings_due_ = until_settings_ == 0 || now - settings_at_ + period > limits::longest_without_settings;
+  if (are_settings_due_) {
     until_settings_ = limits::settings_every;
     settings_at_ = now;
   }
   --until_settings_;
-  responder_.close();
 }
 
 void Spm::end_turn(const Inputs& in, Micros age, Micros latest, Instant now) {
@@ -383,7 +402,7 @@ void Spm::keep_house(const Inputs& in, Instant now) {
   kept_house_ = now;
   outputs_.are_switches_as_before = false;
   supervise(in, now);
-  fuel_gauge_.step(in.battery, settings_, now);
+  fuel_gauge_.step(in.battery, motion_.are_brakes_released(), settings_, now);
   led_.step(faults_.summary().system_state, now);
   outputs_.status_led = led_.is_on();
   manage_power(in, now);

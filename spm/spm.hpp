@@ -84,6 +84,7 @@ class Spm {
   Inhibits present_inhibits() const;
 
   void answer_general(base::Millis period, base::Instant now);
+  void count_towards_settings(base::Millis period, base::Instant now);
   void answer_power_up();
   bus::shark::SpmGeneral report() const;
   bus::shark::SpmSettings reported_settings() const;
@@ -120,6 +121,7 @@ class Spm {
   Neutral neutral_;
   uint8_t until_settings_ = 0;  // generals until the next settings packet
   base::Instant settings_at_;   // when the last one was said
+  bool are_settings_due_ = false;
 
   faults::Manager<Fault, fault_count> faults_;
   bool is_stopping_ = false;  // an emergency stop is on its way (SB-2.17)

@@ -24,6 +24,8 @@ struct Verdict {
   uint8_t corrupt = 0;   // packets found corrupt: the one before this byte, and this byte itself as a stray
   bool silence = false;  // 3 ms passed without a byte: the turn is over (SB-2.11, SB-2.12)
   What what = What::nothing;
+
+  bool is_empty() const { return corrupt == 0 && !silence && what == What::nothing; }
 };
 
 class Framer {
@@ -43,6 +45,9 @@ class Framer {
   uint8_t missing() const {
     return state_ == State::packet ? static_cast<uint8_t>(frame_.length + 1 - received_) : uint8_t{0};
   }
+
+  // A packet of this type is on its way.
+  bool is_receiving(Type type) const { return state_ == State::packet && frame_.is(type); }
 
   // When the last byte came, as far as it is less than 65 ms ago.
   base::Stamp last_byte() const { return last_; }

@@ -13,9 +13,9 @@ struct Gauge {
   std::uint32_t now;
 
   explicit Gauge(std::uint32_t start = 0) : now(start) { gauge.start(Instant(start)); }
-  int pass(int milliseconds, int battery) {
+  int pass(int milliseconds, int battery, bool is_loaded = false) {
     for (int i = 0; i < milliseconds; ++i) {
-      gauge.step(Millivolts(static_cast<std::uint16_t>(battery)), settings, Instant(++now));
+      gauge.step(Millivolts(static_cast<std::uint16_t>(battery)), is_loaded, settings, Instant(++now));
     }
     return gauge.value();
   }
@@ -29,6 +29,18 @@ TEST_CASE("the gauge reads 0 for the first half second and the battery after it"
     }
     CHECK(gauge.pass(120, 25300) == 18);
   }
+}
+
+TEST_CASE("the gauge keeps its value while the battery is loaded, and follows it again after that", "[SB-01.1]") {
+  Gauge gauge;
+  CHECK(gauge.pass(700, 25300) == 18);
+  CHECK(gauge.pass(60000, 22500, true) == 18);
+  CHECK(gauge.pass(60000, 22500) == 0);
+}
+
+TEST_CASE("a battery that is loaded from the start is judged by what there is", "[SB-01.1]") {
+  CHECK(Gauge().pass(700, 22500, true) == 0);
+  CHECK(Gauge().pass(700, 25300, true) == 18);
 }
 
 TEST_CASE("the gauge stays between 0 and 18 for every voltage there is", "[SB-01.1]") {

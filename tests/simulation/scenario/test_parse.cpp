@@ -80,6 +80,21 @@ TEST_CASE("clause ids, boards and the given situation are checked") {
   CHECK(complaints_about("given: driving at 60\n" + head + "  - wake\n") == "file.yaml:1:8: 60 has no unit: write 60%");
 }
 
+TEST_CASE("the monitor's clauses are left out one by one, with a reason") {
+  CHECK(complaints_about("monitor: {except: [H-04.1]}\n" + head + "  - wake\n") ==
+        "file.yaml:1:10: 'monitor' needs 'because'");
+  CHECK(complaints_about("monitor: {except: [H-04], because: it is so}\n" + head + "  - wake\n") ==
+        "file.yaml:1:19: 'H-04' is no clause of the monitor, such as H-04.1: see list-clauses");
+  CHECK(complaints_about("monitor: {because: it is so}\n" + head + "  - wake\n") ==
+        "file.yaml:1:10: 'monitor' needs 'except'");
+  CHECK(complaints_about("monitor: {except: [H-04.1], because: \"\"}\n" + head + "  - wake\n") ==
+        "file.yaml:1:38: say why the clauses may be broken");
+  const auto scenario =
+      parse_scenario("monitor: {except: [H-04.1, H-30.1], because: it is so}\n" + head + "  - wake\n", "file.yaml");
+  CHECK(scenario.exceptions.clauses == std::vector<std::string>{"H-04.1", "H-30.1"});
+  CHECK(scenario.exceptions.because == "it is so");
+}
+
 TEST_CASE("broken YAML is named with its place") {
   CHECK_THAT(complaints_about(head + "  - expect: {speedo: > 5}\n"), Catch::StartsWith("file.yaml:3:"));
   CHECK_THAT(complaints_about("just words"), Catch::StartsWith("file.yaml: a scenario is a map"));
