@@ -63,7 +63,6 @@ void add_bench(CLI::App& app, bench::Order& order) {
   command->add_option("--image", order.image, "The image, ELF or HEX")->capture_default_str();
   command->add_flag("--json", order.wants_json, "Prints JSON instead of tables");
   command->add_option("--write", order.page, "Writes the page, docs/performance.md, into this file");
-  command->add_flag("--check", order.checks, "Exit code 1, and the number's name on stderr, if a target is missed");
 }
 
 }  // namespace

@@ -12,10 +12,9 @@ struct Order {
   double minutes = 1;
   bool wants_json = false;
   std::optional<std::string> page;  // where to write docs/performance.md
-  bool checks = false;
 };
 
-// Exit code: 0 done, 1 a target was missed and that was to be checked, 2 the image or the page cannot be used, 3 the
+// Exit code: 0 done, 1 a target was missed, 2 the image or the page cannot be used, 3 the
 // simulation itself failed.
 int run(const Order& order, std::ostream& out, std::ostream& err);
 

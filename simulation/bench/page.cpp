@@ -244,7 +244,7 @@ std::string columns(const Table& table) {
 constexpr const char* method = R"(# How fast it is
 
 Written by `pilotfish bench --write`; do not edit. `pilotfish bench` prints the same tables, `--json` gives them to a
-program, `--check` fails if a target is missed.
+program; the exit code is 1 if a target is missed.
 
 Measured on the image as it is flashed, `{image}`{compiler}, on a simulated ATmega1284P at
 8 MHz, instruction by instruction, in the simulated world of [simulation.md](simulation.md). All times are simulated

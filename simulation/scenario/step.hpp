@@ -132,7 +132,7 @@ struct Scenario {
   std::optional<std::uint64_t> seed;
   std::vector<std::string> needs;  // boards that can judge it: avr, host; empty = all
   Exceptions exceptions;
-  std::vector<Step> steps;         // what `given` stands for comes first
+  std::vector<Step> steps;  // what `given` stands for comes first
 };
 
 }  // namespace simulation::scenario

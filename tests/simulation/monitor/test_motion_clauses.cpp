@@ -162,6 +162,19 @@ TEST_CASE("H-03.2: with the stick at rest the duties fall too slowly", "[monitor
   CHECK(soon.breaches() == "");
 }
 
+TEST_CASE("H-03.2: the duties fall well at first and then stay", "[monitor][H-03]") {
+  Stage stage;
+  stage.drive_at(400);
+  stage.later(4ms, [&] { stage.drive(300, 300); });
+  stage.cycles(31, sr::neutral, spm::ready);
+  const Time begin = stage.now;
+  stage.turn(sr::neutral, spm::ready);
+  stage.run_until(begin + 11ms);
+  CHECK(stage.breaches() == "");
+  stage.run_until(begin + 12ms);  // the line meets 298 at 631.4 ms
+  CHECK(stage.breaks("H-03.2"));
+}
+
 TEST_CASE("H-04.1: a duty grows 5 ms after silence, though a general has come again", "[monitor][H-04]") {
   const auto breaches = [](Time after) {
     Stage stage = at_100();
@@ -189,6 +202,17 @@ TEST_CASE("H-04.2: an emergency stop is too slow", "[monitor][H-04]") {
   Stage soon = at_100();
   soon.run(55ms);
   CHECK(soon.breaches() == "");
+}
+
+TEST_CASE("H-04.2: an emergency stop begins well and then stays", "[monitor][H-04]") {
+  Stage stage;
+  stage.drive_at(400);
+  const Time begin = stage.now;
+  stage.later(46ms, [&] { stage.drive(100, 100); });
+  stage.run_until(begin + 936ms);
+  CHECK(stage.breaches() == "");
+  stage.run_until(begin + 937ms);  // the line meets 98 at 936.1 ms
+  CHECK(stage.breaks("H-04.2"));
 }
 
 TEST_CASE("H-05.1: a duty grows 5 ms after the third corrupt packet in a row", "[monitor][H-05]") {
@@ -224,6 +248,19 @@ TEST_CASE("H-07.3: more than 41 % while limping", "[monitor][H-07]") {
   CHECK(breaches(sr::pot_error, spm::limping, 209) == "");
   CHECK(is_caught(breaches(sr::non_critical, spm::limping_for_remote, 210), "H-07.3"));
   CHECK(breaches(sr::non_critical, spm::limping_for_remote, 209) == "");
+}
+
+TEST_CASE("H-07.3: LIMP's cap must be reached 1500 ms after its cause", "[monitor][H-07]") {
+  const auto breaches = [](Time after) {
+    Stage stage;
+    stage.drive_at(240);
+    stage.drive(210, 210);
+    stage.later(after, [&] { stage.drive(209, 209); });
+    stage.cycles(76, sr::pot_error, spm::limping);  // the first ends at 2.6 ms
+    return stage.breaches();
+  };
+  CHECK(is_caught(breaches(1504ms), "H-07.3"));
+  CHECK(breaches(1503ms) == "");
 }
 
 TEST_CASE("H-11.1: a duty changes its sign at once", "[monitor][H-11]") {
@@ -283,6 +320,19 @@ TEST_CASE("H-16.4: a duty grows after a press of the button was accepted", "[mon
   };
   CHECK(is_caught(breaches(69ms), "H-16.4"));
   CHECK(breaches(68ms) == "");
+}
+
+TEST_CASE("H-16.4: a press is certain after 52 ms", "[monitor][H-16]") {
+  const auto breaches = [](Time held) {
+    Stage stage = at_100();
+    const Time begin = stage.now;
+    stage.turn(sr::button, spm::driving);
+    stage.run_until(begin + held);
+    stage.turn(sr::button, spm::driving);
+    return grow(stage, begin + held + 9ms).breaches();
+  };
+  CHECK(is_caught(breaches(52ms), "H-16.4"));
+  CHECK(breaches(51ms) == "");
 }
 
 TEST_CASE("H-17.4: a duty grows though another mode is requested", "[monitor][H-17]") {

@@ -71,6 +71,21 @@ TEST_CASE("H-16.1: power down now is told without a press, during it, or after b
   CHECK(breaches_of({{sr::button_at_rest, spm::inhibited, 4}, {sr::neutral, spm::power_down_now, 5}}) == "");
 }
 
+TEST_CASE("H-16.1: a press is possible after 48 ms", "[monitor][H-16]") {
+  const auto breaches = [](Time held) {
+    Stage stage;
+    stage.wake_up();
+    const Time begin = stage.now;
+    stage.turn(sr::button_at_rest, spm::ready);
+    stage.run_until(begin + held);
+    stage.cycle(sr::button_at_rest, spm::ready);
+    stage.cycle(sr::neutral, spm::power_down_now);
+    return stage.breaches();
+  };
+  CHECK(is_caught(breaches(47ms), "H-16.1"));
+  CHECK(breaches(48ms) == "");
+}
+
 TEST_CASE("H-16.1: a button that is down at power-up is no press before its release", "[monitor][H-16]") {
   Stage stage;
   stage.greet();
