@@ -163,7 +163,12 @@ void Ramps::aim_at(const Command& command) {
 }
 
 void Ramps::step(const DriveProfile& profile) {
-  is_stopping_ = false;
+  if (target_.is_zero()) {  // H-03
+    fall_together(forward_.value() < 0 ? profile.reverse_deceleration : profile.forward_deceleration,
+                  profile.turn_deceleration);
+    return;
+  }
+  is_falling_ = false;
   if (turn_.value() != target_.turn) {
     approach_turn(profile);
   }
@@ -191,18 +196,25 @@ void Ramps::approach_turn(const DriveProfile& profile) {
 }
 
 void Ramps::stop(const DriveProfile& profile) {
+  fall_together(profile.emergency_deceleration, profile.emergency_deceleration);
+}
+
+void Ramps::fall_together(uint16_t forward_rate, uint16_t turn_rate) {
   const bool is_mostly_turn = magnitude(turn_.value()) > magnitude(forward_.value());
   Ramp& larger = is_mostly_turn ? turn_ : forward_;
   Ramp& smaller = is_mostly_turn ? forward_ : turn_;
   if (larger.value() == 0) {
     return;
   }
-  if (!is_stopping_) {
-    is_stopping_ = true;
+  if (!is_falling_) {
+    is_falling_ = true;
     const int16_t proportion = proportion_of(magnitude(smaller.value()), magnitude(larger.value()), 14);
     proportion_ = (larger.value() < 0) != (smaller.value() < 0) ? static_cast<int16_t>(-proportion) : proportion;
   }
-  larger.fall(profile.emergency_deceleration);
+  const uint16_t rate = is_mostly_turn ? turn_rate : forward_rate;
+  const uint16_t other = is_mostly_turn ? forward_rate : turn_rate;
+  const bool is_too_fast = times(static_cast<int16_t>(rate), magnitude(proportion_)) > static_cast<int16_t>(other);
+  larger.fall(is_too_fast ? other : rate);
   smaller.put(times(larger.value(), proportion_));
 }
 
@@ -214,7 +226,7 @@ void Ramps::yield_to(const Wheels& granted) {
   // the other side would never get there.
   forward_.put(static_cast<int16_t>(forward_.value() - (left + right) / 2));
   turn_.put(static_cast<int16_t>(turn_.value() - (left - right) / 2));
-  is_stopping_ = false;
+  is_falling_ = false;
 }
 
 }  // namespace spm

@@ -120,7 +120,8 @@ class Ramps {
 
   // Towards the command. If full voltage is not enough for both, speed gives way before the turn does. Until the chair
   // is as fast as it was asked to be, the turn grows no further than in proportion to the speed: so from rest it begins
-  // with the curve that was asked for, neither straight on nor on the spot.
+  // with the curve that was asked for, neither straight on nor on the spot. Towards neutral it keeps its curve, so no
+  // wheel grows (H-03).
   void step(const DriveProfile& profile);
   // Towards zero and nowhere else, at the emergency rate (SB-2.17): the larger of forward and turn, and the other in
   // proportion. So the chair keeps its curve, no wheel grows or changes its sign, and both stand still together.
@@ -130,21 +131,23 @@ class Ramps {
   // No motion, as after a start.
   void clear() {
     forward_ = turn_ = Ramp();
-    is_stopping_ = false;
+    is_falling_ = false;
   }
 
   Wheels demand() const { return mix(Command{forward_.value(), turn_.value()}); }
 
  private:
   void approach_turn(const DriveProfile& profile);
+  // Neither faster than its own rate allows.
+  void fall_together(uint16_t forward_rate, uint16_t turn_rate);
 
   Command target_;
   Ramp forward_;
   Ramp turn_;
   uint8_t curve_ = 0;  // the smaller of the target's forward and turn as a share of the larger, times 256
   bool is_mostly_turn_ = false;
-  bool is_stopping_ = false;
-  int16_t proportion_ = 0;  // Q14, while stopping: the smaller of both as a share of the larger
+  bool is_falling_ = false;
+  int16_t proportion_ = 0;  // Q14, while both fall: the smaller of both as a share of the larger
 };
 
 }  // namespace spm

@@ -7,6 +7,7 @@ namespace spm {
 using namespace base;  // literals
 
 void Power::general(const bus::shark::SrGeneral& packet, bool is_active, Millis sleep_after, Instant now) {
+  confirm(packet.power_down_confirm);  // before the button: what is asked with this general cannot be answered by it
   button(packet.power_switch, now);
   if (is_active || packet.power_switch) {
     last_active_ = now;
@@ -15,7 +16,6 @@ void Power::general(const bus::shark::SrGeneral& packet, bool is_active, Millis 
     is_sleep_asked_ = true;
     is_down_asked_ = true;
   }
-  confirm(packet.power_down_confirm);
 }
 
 void Power::button(bool is_down, Instant now) {

@@ -25,7 +25,8 @@ bool grows_without_fresh_general(const Scene& scene) {
 }
 
 bool grows_at_neutral(const Scene& scene) {
-  return scene.stick.neutral_since() && scene.stick.grown_since_release() > limits::rounding;
+  const auto since = scene.stick.neutral_since();
+  return since && scene.now - *since >= limits::reaction && scene.wheels.has_grown();
 }
 
 bool slows_too_little_at_neutral(const Scene& scene) {
@@ -57,8 +58,8 @@ std::vector<Clause> motion_clauses() {
        "5 ms", "SB-3.1", M::millisecond, grows_under<Reason::power_up_phase>},
       {"H-02.1", "After power-up, reset, emergency stop, inhibit or another mode no duty grows before 5 generals in a row were neutral",
        "neutral = both axes 30 off 512 at most; 5 ms", "SB-01.8, SB-2.17", M::millisecond, grows_under<Reason::neutral>},
-      {"H-03.1", "A stick at rest: neither the larger duty grows, nor the sum of both (speed), nor their difference (turn)",
-       "from 5 ms after the first neutral general on; 2 steps", "SB-00.8", M::millisecond, grows_at_neutral},
+      {"H-03.1", "A stick at rest: no duty grows",
+       "from 5 ms after the first neutral general on", "SB-00.8", M::millisecond, grows_at_neutral},
       {"H-03.2", "A stick at rest: the duties fall at the normal rate, from full to zero in 3125 ms",
        "the larger of both, 2 steps, 5 ms", "SB-00.8", M::millisecond, slows_too_little_at_neutral},
       {"H-04.1", "Silence: from 62 ms after the last valid general on no duty grows until the stop is over and the link has proved itself",

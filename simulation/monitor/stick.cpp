@@ -27,21 +27,6 @@ void Stick::advance(const Wheels& wheels) {
   if (is_release_new_) {
     duty_at_release_ = std::max(wheels.largest(), wheels.largest_before());
     is_release_new_ = false;
-    least_.fill(2 * limits::full_duty);
-    grown_since_release_ = 0;
-  }
-  if (neutral_since_ && wheels.at() - *neutral_since_ >= limits::reaction) {
-    watch_release(wheels);
-  }
-}
-
-// The inner wheel of a turn may come up to the outer one: the turn ends sooner than the drive.
-void Stick::watch_release(const Wheels& wheels) {
-  const std::array<int, 3> duties = {std::abs(wheels.left() + wheels.right()), std::abs(wheels.left() - wheels.right()),
-                                     wheels.largest()};
-  for (std::size_t i = 0; i < duties.size(); ++i) {
-    least_[i] = std::min(least_[i], duties[i]);
-    grown_since_release_ = std::max(grown_since_release_, duties[i] - least_[i]);
   }
 }
 

@@ -1,7 +1,6 @@
 // What the driver asks for, as the generals tell it: which way, since when, and whether the wheels follow (H-03, H-11).
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 
@@ -21,17 +20,12 @@ class Stick {
   std::optional<Time> neutral_since() const { return neutral_since_; }
   // The largest duty when it became neutral.
   int duty_at_release() const { return duty_at_release_; }
-  // So many steps has the chair gathered speed, turned more, or run a wheel faster, since `reaction` after it became
-  // neutral.
-  int grown_since_release() const { return grown_since_release_; }
   // So many steps of a duty the chair has gone away from where an axis points, since it points there.
   int drives_against() const { return forward_.against; }
   int turns_against() const { return turn_.against; }
   std::string tell(Time now) const;
 
  private:
-  void watch_release(const Wheels& wheels);
-
   // One axis and the sum or difference of the duties it commands.
   struct Axis {
     int side = 0;  // -1, 0 neutral or unknown, 1
@@ -46,8 +40,6 @@ class Stick {
   std::optional<Time> neutral_since_;
   bool is_release_new_ = false;
   int duty_at_release_ = 0;
-  std::array<int, 3> least_{};  // of sum, difference and larger duty since then
-  int grown_since_release_ = 0;
   Axis forward_;
   Axis turn_;
 };

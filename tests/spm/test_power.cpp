@@ -137,6 +137,18 @@ TEST_CASE("a confirm that was not asked for is ignored, and does not count later
   CHECK_FALSE(bench.is_off());
 }
 
+TEST_CASE("a confirm in the very general that releases the button does not count", "[SB-4.3][H-16]") {
+  Bench bench = Bench::ready();
+  bench.cycle(sr_general({512, 512, 255, 0x04, 0x05}), 6);  // button and confirm
+  bench.cycle(wire::confirm);                               // released: the answer asks
+  REQUIRE(bench.general_bit(1, 4));
+  bench.cycle(wire::confirm);
+  CHECK_FALSE(bench.is_off());
+  bench.cycle(wire::confirm);
+  bench.run_ms(20);
+  CHECK(bench.is_off());
+}
+
 TEST_CASE("a confirmed power-down while driving first stops, then brakes, then lets go",
           "[SB-4.3][SB-4.5][H-14][H-16]") {
   Bench bench = Bench::driving();
