@@ -39,6 +39,9 @@ const Outputs& Spm::step(const Inputs& in, Instant now) {
   if (has_news_ && !responder_.has_answer()) {
     supervise(in, now);
   }
+  if (!unlogged_.empty() && !responder_.has_answer()) {
+    log_faults(now);
+  }
   do_timed_work(in, now);
   outputs_.is_time_pressing = link_.is_near_silence();
   outputs_.awaited = characters_to_let_pass(framer_);
@@ -192,8 +195,9 @@ void Spm::take_general(const Frame& frame, const Inputs& in, Stamp at, Instant n
   }
   neutral_.observe(is_resting);
   // The answer is due: faults that begin count at once, those that end may wait a millisecond.
-  if (faults_.are_new(present_faults(in))) {
-    look_for_faults(in, now);
+  const FaultSet present = present_faults(in);
+  if (faults_.are_new(present)) {
+    look_for_faults(present, now);
   }
   weigh_inhibits();
   answer_general(period, now);
@@ -228,22 +232,25 @@ void Spm::forget_others() {
 // ---- supervise: what is wrong, and what it forbids
 
 void Spm::supervise(const Inputs& in, Instant now) {
-  look_for_faults(in, now);
+  look_for_faults(present_faults(in), now);
   weigh_inhibits();
 }
 
-void Spm::look_for_faults(const Inputs& in, Instant now) {
+void Spm::look_for_faults(FaultSet present, Instant now) {
   has_news_ = false;
-  const FaultSet begun = faults_.update(fault_rows, present_faults(in), link_.is_up(), now);
+  unlogged_ = unlogged_ | faults_.update(fault_rows, present, link_.is_up(), now);
   has_restarted_ = false;
-  if (!begun.empty()) {
-    for (uint8_t i = 0; i < fault_count; ++i) {
-      const uint8_t event = from_flash(fault_rows[i].event);
-      if (begun.has(static_cast<Fault>(i)) && event != 0) {
-        events_.record(event, 0, now);
-      }
+}
+
+void Spm::log_faults(Instant now) {
+  FaultSet fault = FaultSet::first();
+  for (uint8_t i = 0; i < fault_count; ++i, fault = fault.next()) {
+    const uint8_t event = from_flash(fault_rows[i].event);
+    if (unlogged_.has(fault) && event != static_cast<uint8_t>(EventCode::none)) {
+      events_.record(event, 0, now);
     }
   }
+  unlogged_ = FaultSet();
 }
 
 void Spm::weigh_inhibits() {

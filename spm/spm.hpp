@@ -78,7 +78,8 @@ class Spm {
   void forget_others();
 
   void supervise(const Inputs& in, base::Instant now);
-  void look_for_faults(const Inputs& in, base::Instant now);
+  void look_for_faults(FaultSet present, base::Instant now);
+  void log_faults(base::Instant now);
   void weigh_inhibits();
   FaultSet present_faults(const Inputs& in) const;
   Inhibits present_inhibits() const;
@@ -124,6 +125,7 @@ class Spm {
   bool are_settings_due_ = false;
 
   faults::Manager<Fault, fault_count> faults_;
+  FaultSet unlogged_;  // begun, not yet in the log: an answer went first
   bool is_stopping_ = false;  // an emergency stop is on its way (SB-2.17)
   Inhibits inhibits_ = Inhibits::of(Inhibit::no_general_yet);  // never empty before it has been weighed
   faults::EventRing events_;
