@@ -245,10 +245,10 @@ TEST_CASE("a dip of the battery shorter than 2 s, or readings that are not real 
 TEST_CASE("an unexpected reset leaves the chair stopped, limping and logged, and waiting for the handshake",
           "[SB-3.9][H-25]") {
   Bench bench;
-  bench.in.start = spm::Start::unexpected;
+  bench.in.start = spm::Start::watchdog;
   spm::Spm module;
   spm::Inputs in;
-  in.start = spm::Start::unexpected;
+  in.start = spm::Start::watchdog;
   module.step(in, base::Instant(0));
   CHECK(module.events().newest(0).code == static_cast<std::uint8_t>(spm::EventCode::started));
   CHECK(module.events().newest(0).argument == 1);
