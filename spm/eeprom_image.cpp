@@ -1,5 +1,5 @@
-// What the EEPROM of a new board holds, the first copy of the settings: the image's .eep file. The simulator and a chip fresh from the tube begin
-// with an erased one, which means the same.
+// What the EEPROM of a new board holds, the first copy of the settings: the image's .eep file. The simulator and a chip
+// fresh from the tube begin with an erased one, which means the same.
 #include "spm/settings_block.hpp"
 
 namespace spm {

@@ -99,7 +99,7 @@ class EventLog {
 
   base::Queue<Wanted, 4> wanted_;
   RecordBytes record_;
-  uint8_t written_ = is_idle;               // bytes of record_ that were handed out
+  uint8_t written_ = is_idle;         // bytes of record_ that were handed out
   base::Array<uint8_t, codes> rest_;  // seconds until the code may be written again
 };
 

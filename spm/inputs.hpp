@@ -42,8 +42,8 @@ struct Inputs {
 
   bool dci_slowdown = false;
   bool lighting_fitted = false;
-  Start start = Start::power_on;  // constant from reset on
-  bool settings_lost = false;     // stored settings could not be read; constant from reset on
+  Start start = Start::power_on;   // constant from reset on
+  bool settings_lost = false;      // stored settings could not be read; constant from reset on
   bool settings_copy_bad = false;  // one of two copies could not; constant from reset on
   bool is_storing = false;         // something is to be written to the EEPROM, or being written
 };

@@ -50,7 +50,8 @@ constexpr uint16_t crc16_step(uint16_t crc, uint8_t byte) {
   uint8_t top = static_cast<uint8_t>((crc >> 8) ^ byte);  // eight steps of the division at once
   top = static_cast<uint8_t>(top ^ (top >> 4));
   const uint16_t wide = top;
-  return static_cast<uint16_t>((crc << 8) ^ static_cast<uint16_t>(wide << 12) ^ static_cast<uint16_t>(wide << 5) ^ wide);
+  return static_cast<uint16_t>((crc << 8) ^ static_cast<uint16_t>(wide << 12) ^ static_cast<uint16_t>(wide << 5) ^
+                               wide);
 }
 
 constexpr uint16_t crc16_of(const SettingsBlock& block) {

@@ -125,7 +125,7 @@ class Spm {
   bool are_settings_due_ = false;
 
   faults::Manager<Fault, fault_count> faults_;
-  bool is_stopping_ = false;  // an emergency stop is on its way (SB-2.17)
+  bool is_stopping_ = false;                                   // an emergency stop is on its way (SB-2.17)
   Inhibits inhibits_ = Inhibits::of(Inhibit::no_general_yet);  // never empty before it has been weighed
   faults::EventRing events_;
   base::Array<faults::Event, 4> kept_ = {};  // those of this step that outlive the supply
