@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdint>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -174,6 +175,56 @@ TEST_CASE("a supply that fails while an event is written in the midst of driving
     REQUIRE(world.board().statistics().complaints.empty());
   }
   CHECK(most_written >= 1);
+}
+
+TEST_CASE("a confirmed power-down is written to its end before the latch is let go", "[SB-4.3][SB-4.5][H-20]") {
+  World world(make_avr_board({.image = image()}));
+  world.remote().start(world.now());
+  world.run_for(1s);
+  world.remote().controls.power_button = true;
+  world.run_for(200ms);
+  world.remote().controls.power_button = false;
+  Time waited{};
+  while (world.board().pins().power_latch) {
+    world.run_for(1ms);
+    waited += 1ms;
+    REQUIRE(waited < 300ms);
+  }
+  const Bytes eeprom = world.board().eeprom();
+  const std::vector<int> codes{record(eeprom, 0)[0], record(eeprom, 1)[0], record(eeprom, 2)[0]};
+  CHECK(codes == std::vector<int>{1, 5, 6});  // started, power-down asked, powered down
+  CHECK(is_record(record(eeprom, 2)));
+  const Bytes later = (world.run_for(100ms), world.board().eeprom());
+  CHECK(later == eeprom);
+}
+
+TEST_CASE("the .eep file is settings that the image takes", "[H-20]") {
+  Bytes eeprom(4096, 0xFF);
+  std::ifstream file(std::string(PILOTFISH_IMAGE_DIR) + "/spm.eep");
+  const auto hex = [](const std::string& line, std::size_t at, std::size_t digits) {
+    return std::stoul(line.substr(at, digits), nullptr, 16);
+  };
+  std::size_t count = 0;
+  for (std::string line; std::getline(file, line) && hex(line, 7, 2) == 0;) {
+    for (std::size_t i = 0; i < hex(line, 1, 2); ++i) {
+      eeprom.at(hex(line, 3, 4) + i) = static_cast<std::uint8_t>(hex(line, 9 + 2 * i, 2));
+      ++count;
+    }
+  }
+  REQUIRE(count > 128);
+  CHECK(eeprom[0] == 0x00);  // written
+  CHECK(eeprom[3] == 0);     // sequence
+  CHECK(eeprom[4] == 30);    // deadband
+  CHECK(eeprom[128] == 0x00);
+  CHECK(eeprom[131] == 255);  // the older one
+  CHECK(eeprom[132] == 30);
+  Chip chip(eeprom);
+  chip.board->power(true, chip.now);
+  chip.run(300ms);
+  const Bytes after = chip.board->eeprom();
+  CHECK(int(record(after, 0)[0]) == 1);
+  CHECK(record(after, 1) == Bytes(8, 0xFF));  // neither a loss nor a bad copy
+  CHECK(Bytes(after.begin(), after.begin() + log_at) == Bytes(eeprom.begin(), eeprom.begin() + log_at));
 }
 
 }  // namespace simulation
