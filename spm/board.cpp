@@ -217,7 +217,7 @@ void Board::apply(const Outputs& outputs) {
 }
 
 void Board::store(Storage& storage) {
-  in_.is_storing = drivers::store::is_busy() || !storage.is_at_rest();
+  in_.is_storing = !storage.is_at_rest();
   if (!in_.is_storing || drivers::store::is_busy()) {
     return;
   }

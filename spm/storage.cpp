@@ -15,6 +15,7 @@ bool Storage::store(const Settings& settings) {
   }
   block_ = make_settings_block(settings, static_cast<uint8_t>(sequence_ + 1U));
   written_ = 0;
+  is_at_rest_ = false;
   return true;
 }
 
@@ -22,12 +23,15 @@ void Storage::note(base::Span<const faults::Event> events) {
   for (const faults::Event& event : events) {
     log_.add(event.code, event.argument);
   }
+  is_at_rest_ = false;
 }
 
 // H-20: the mark away, everything else, the mark again.
 base::Optional<ByteWrite> Storage::next_write() {
   if (!is_storing()) {
-    return log_.next_write();
+    const base::Optional<ByteWrite> write = log_.next_write();
+    is_at_rest_ = !write && !log_.is_looking();
+    return write;
   }
   ByteWrite write;
   write.address = address_of_copy(next_copy_);

@@ -43,8 +43,8 @@ class Storage {
   const EventLog& log() const { return log_; }
   // Something is to be written, or being written.
   bool is_pending() const { return is_storing() || log_.is_pending(); }
-  // Nothing to do, for a while.
-  bool is_at_rest() const { return !is_pending() && !log_.is_looking(); }
+  // Nothing to look at, nothing to write, and the EEPROM has taken the last byte.
+  bool is_at_rest() const { return is_at_rest_; }
   // The next byte; call it when the EEPROM has taken the one before.
   base::Optional<ByteWrite> next_write();
 
@@ -58,6 +58,7 @@ class Storage {
   uint8_t written_ = is_idle;  // bytes of block_ that were handed out
   EventLog log_;
   uint16_t until_second_ = second;
+  bool is_at_rest_ = false;
 };
 
 }  // namespace spm

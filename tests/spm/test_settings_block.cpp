@@ -115,6 +115,8 @@ TEST_CASE("of two sound copies the newer one counts, across the sequence's wrap 
   CHECK(deadband(255, 0) == 44);
   CHECK(deadband(0, 255) == 30);
   CHECK(deadband(127, 128) == 44);
+  CHECK(deadband(0, 127) == 44);
+  CHECK(deadband(0, 128) == 30);
 }
 
 TEST_CASE("the next write goes to the copy that is not in use", "[H-20]") {

@@ -127,6 +127,19 @@ TEST_CASE("a cut at any byte of settings leaves the old ones or the new ones, an
   }
 }
 
+TEST_CASE("two writings between two starts go to different copies", "[H-20]") {
+  Eeprom eeprom = erased_eeprom();
+  Started module(eeprom);
+  REQUIRE(module.storage.store(settings_with(41, 25001)));
+  module.write_all(eeprom);
+  REQUIRE(module.storage.store(settings_with(42, 25002)));
+  module.write_all(eeprom);
+  CHECK(eeprom[4] == 41);
+  CHECK(eeprom[131] == 2);
+  CHECK(eeprom[132] == 42);
+  CHECK(are_same(Started(eeprom).loaded.settings, settings_with(42, 25002)));
+}
+
 TEST_CASE("settings go before events") {
   Eeprom eeprom = erased_eeprom();
   Started module(eeprom);
