@@ -130,7 +130,7 @@ TEST_CASE("the latch is held while something is being written, 200 ms at most", 
   patient.in.is_storing = false;
   patient.run_ms(10);
   CHECK(patient.is_off());
-  bench.run_until(confirmed + 180000);
+  bench.run_until(confirmed + 165000);
   CHECK_FALSE(bench.is_off());
   bench.run_until(confirmed + 200000);
   CHECK(bench.is_off());
