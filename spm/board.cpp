@@ -36,9 +36,20 @@ base::Milliamps coil_current_of(uint16_t raw) {
   return base::Milliamps(static_cast<uint16_t>(raw * 5U - ((raw * 15U) >> 7)));
 }
 
+// SB-3.9
 Start start_of(ResetCause cause) {
-  const bool is_unexpected = cause == ResetCause::watchdog || cause == ResetCause::brown_out;  // SB-3.9
-  return is_unexpected ? Start::unexpected : Start::power_on;
+  switch (cause) {
+    case ResetCause::watchdog:
+      return Start::watchdog;
+    case ResetCause::brown_out:
+      return Start::brown_out;
+    case ResetCause::external:
+      return Start::external;
+    case ResetCause::power_on:
+    case ResetCause::unknown:
+      break;
+  }
+  return Start::power_on;
 }
 
 Speaker speaker_of(base::TurnSender::State state) {
@@ -106,6 +117,21 @@ void switch_over(const Outputs& outputs) {
   }
 }
 
+// At least 5 cycles each: 5 ms at least, 10 at most.
+constexpr uint16_t looks_at_a_busy_store = 8000;
+
+RecordBytes stored_record(uint8_t place) {
+  RecordBytes bytes;
+  uint16_t address = address_of_record(place);
+  for (uint8_t& byte : bytes) {
+    byte = drivers::store::read(address);
+    ++address;
+  }
+  return bytes;
+}
+static_assert(log_address + log_places * RecordBytes::size() == drivers::store::size, "the log ends with the EEPROM");
+static_assert(settings_address + settings_copies * settings_spacing <= log_address, "settings lie before the log");
+
 }  // namespace
 
 void Board::start() {
@@ -118,13 +144,19 @@ void Board::start() {
   drivers::watchdog::start();
 }
 
-Settings Board::settings() {
-  SettingsBlock block;
-  for (uint8_t i = 0; i < block.size(); ++i) {
-    block[i] = drivers::store::read(static_cast<uint16_t>(settings_address + i));
+Settings Board::load(Storage& storage) {
+  // A reset leaves a write that has begun to its end. Reading is refused meanwhile, and 3.4 ms of a start are to spare.
+  for (uint16_t i = 0; i < looks_at_a_busy_store && drivers::store::is_busy(); ++i) {
   }
-  const LoadedSettings loaded = read_settings(block);
+  SettingsBlock first;
+  SettingsBlock second;
+  for (uint8_t i = 0; i < settings_size; ++i) {
+    first[i] = drivers::store::read(static_cast<uint16_t>(address_of_copy(0) + i));
+    second[i] = drivers::store::read(static_cast<uint16_t>(address_of_copy(1) + i));
+  }
+  const LoadedSettings loaded = storage.load(first, second);
   in_.settings_lost = loaded.is_lost;
+  in_.settings_copy_bad = loaded.is_copy_bad;
   return loaded.settings;
 }
 
@@ -174,7 +206,10 @@ void Board::sense_next() {
 
 void Board::apply(const Outputs& outputs) {
   speak(outputs);  // first: an answer must not wait for anything
-  drivers::serial::expect(outputs.awaited);
+  if (in_.heard_count != 0 || outputs.awaited != awaited_) {  // otherwise it still waits for the same character
+    awaited_ = outputs.awaited;
+    drivers::serial::expect(awaited_);
+  }
   drivers::clock::tick_twice(outputs.is_time_pressing);
   if (!outputs.are_motors_as_before) {
     move(outputs);
@@ -183,5 +218,23 @@ void Board::apply(const Outputs& outputs) {
     switch_over(outputs);
   }
 }
+
+void Board::store(Storage& storage) {
+  in_.is_storing = !storage.is_at_rest();
+  if (!in_.is_storing || drivers::store::is_busy()) {
+    return;
+  }
+  EventLog& log = storage.log();
+  if (log.is_looking()) {
+    log.look(stored_record(log.place_to_look_at()));
+    log.look(stored_record(log.place_to_look_at()));
+    return;
+  }
+  const base::Optional<ByteWrite> write = storage.next_write();
+  if (write) {
+    drivers::store::write(write->address, write->value);
+  }
+}
+static_assert(log_places % 2 == 0, "two at a time are looked at");
 
 }  // namespace spm

@@ -5,6 +5,7 @@
 #include "spm/inputs.hpp"
 #include "spm/outputs.hpp"
 #include "spm/settings.hpp"
+#include "spm/storage.hpp"
 
 namespace spm {
 
@@ -13,11 +14,13 @@ class Board {
   // All drivers, once after reset, interrupts off. Every output is safe afterwards.
   void start();
   // As stored; that they could not be read shows in every later sense().
-  Settings settings();
+  Settings load(Storage& storage);
 
   // What the bus says is always new; of voltages, currents and switches one is read each millisecond, in turn.
   const Inputs& sense(base::Instant now);
   void apply(const Outputs& outputs);
+  // Once a millisecond: one byte for the EEPROM, if it is ready for it.
+  void store(Storage& storage);
 
  private:
   void sense_bus();
@@ -25,7 +28,8 @@ class Board {
 
   Inputs in_;
   base::Instant last_slow_;
-  uint8_t turn_ = 0;  // whose it is to be read
+  uint8_t turn_ = 0;     // whose it is to be read
+  uint8_t awaited_ = 0;  // as the transceiver was told
 };
 
 }  // namespace spm

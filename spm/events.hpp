@@ -7,12 +7,12 @@ namespace spm {
 
 enum class EventCode : uint8_t {
   none = 0,
-  started = 1,             // argument: 0 power on, 1 unexpected reset (SB-3.9)
+  started = 1,             // SB-3.9; argument: 0 power on, 1 watchdog, 2 brown-out, 3 external reset
   echo_differed = 2,       // SB-1.4
   factory_test_heard = 3,  // SB-07.1; argument: command
   remote_restarted = 4,    // SB-3.4
   power_down_asked = 5,    // argument: 0 button, 1 sleep
-  powered_down = 6,        // argument: 0 confirmed, 1 remote gone
+  powered_down = 6,        // argument: 0 confirmed; 1 remote gone, in memory only: the supply does not wait for it
   answer_too_late = 7,     // a turn was earned but the slot had passed
   time_was_lost = 8,       // the loop stood still; argument: milliseconds, at most 255
   hhp_data_lost = 9,       // SB-02.1: more came than was taken; argument: characters, those that were lost first
@@ -25,7 +25,8 @@ enum class EventCode : uint8_t {
   out_of_neutral = 22,     // SB-01.8
   battery_flat = 23,
   internal_fault = 24,
-  settings_lost = 25,  // H-20
+  settings_lost = 25,      // H-20
+  settings_copy_bad = 26,  // H-20: one of two; the other is used
 };
 
 }  // namespace spm

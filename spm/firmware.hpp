@@ -1,9 +1,10 @@
-// The program, whichever machine it runs on: sense, step, apply, feed.
+// The program, whichever machine it runs on: sense, step, apply, store, feed.
 #pragma once
 
 #include "drivers/base/time.hpp"
 #include "spm/board.hpp"
 #include "spm/spm.hpp"
+#include "spm/storage.hpp"
 
 namespace spm {
 
@@ -16,10 +17,12 @@ class Firmware {
   void pass();
 
   const Spm& core() const { return spm_; }
+  const Storage& storage() const { return storage_; }
 
  private:
   Board board_;
   Spm spm_;
+  Storage storage_;
   base::Instant last_;
 };
 

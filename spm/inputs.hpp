@@ -12,9 +12,15 @@ namespace spm {
 
 // How the last start came about.
 enum class Start : uint8_t {
-  power_on,    // the normal case: somebody pressed the power button
-  unexpected,  // watchdog or brown-out while powered (SB-3.9)
+  power_on = 0,   // the normal case: somebody pressed the power button
+  watchdog = 1,   // SB-3.9
+  brown_out = 2,  // SB-3.9
+  external = 3,   // the reset pin, or a programmer
 };
+
+constexpr bool is_unexpected(Start start) {
+  return start == Start::watchdog || start == Start::brown_out;
+}
 
 // What the bus transmitter is doing.
 enum class Speaker : uint8_t { idle, armed, speaking };
@@ -36,8 +42,10 @@ struct Inputs {
 
   bool dci_slowdown = false;
   bool lighting_fitted = false;
-  Start start = Start::power_on;  // constant from reset on
-  bool settings_lost = false;     // stored settings could not be read; constant from reset on
+  Start start = Start::power_on;   // constant from reset on
+  bool settings_lost = false;      // stored settings could not be read; constant from reset on
+  bool settings_copy_bad = false;  // one of two copies could not; constant from reset on
+  bool is_storing = false;         // something is to be written to the EEPROM, or being written
 };
 
 }  // namespace spm

@@ -18,8 +18,8 @@ using namespace base;  // literals
 
 constexpr Millis cycle = 20_ms;          // SB-2.2
 constexpr Millis house_keeping = 10_ms;  // between two looks at what changes slowly: battery, supply, gauge, LED
-// Of the first one, counted back from the start: it is due 5 ms later, and the raster lies between that of remotes which
-// begin to speak at a multiple of 10 ms.
+// Of the first one, counted back from the start: it is due 5 ms later, and the raster lies between that of remotes
+// which begin to speak at a multiple of 10 ms.
 constexpr Millis first_house_keeping = 5_ms;
 
 // Link supervision
@@ -43,6 +43,9 @@ constexpr Millis shortest_press = 50_ms;           // SB-4.1
 constexpr uint8_t confirm_proof = 2;               // SB-4.3: generals in a row
 constexpr Millis lost_link_power_down = 5000_ms;   // SB-4.4
 constexpr Millis unconfirmed_power_down = 500_ms;  // SB-4.4
+// SB-4.3: the supply waits for the EEPROM, yet not for ever. A record takes 36 ms; at a power-down one or two are
+// waiting. What is not written by then is no record.
+constexpr Millis longest_store_wait = 170_ms;
 
 // Brakes and motion
 constexpr Millis stopped_brake_delay =
@@ -71,6 +74,8 @@ static_assert(link.silence.count() > 3 * 20000U, "SB-2.15: three cycles of 20 ms
 static_assert(settings_every * cycle.count() <= longest_without_settings.count(), "SB-0A.1: at least once a second");
 static_assert(full_demand.count() / least_fall.count() <= 1500, "SB-2.17: zero within 1500 ms");
 static_assert(stopped_brake_delay <= 250_ms, "SB-2.17");
+static_assert(longest_store_wait + house_keeping + house_keeping + house_keeping <= 200_ms,
+              "SB-4.3: within 200 ms of the confirm, however late each look at the supply is");
 
 }  // namespace limits
 }  // namespace spm

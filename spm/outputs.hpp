@@ -7,6 +7,7 @@
 #include "bus/shark/responder.hpp"
 #include "drivers/base/span.hpp"
 #include "drivers/base/units.hpp"
+#include "faults/event.hpp"
 
 namespace spm {
 
@@ -37,6 +38,8 @@ struct Outputs {
   bool status_led = false;
 
   Latch latch = Latch::as_it_is;
+
+  base::Span<const faults::Event> events;  // of this step, those to be kept; valid until the next step
 
   bool is_time_pressing = false;  // a millisecond is too coarse a grain for the next steps
   // So many characters from now on nothing needs to be done, unless time passes.

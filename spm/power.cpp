@@ -61,12 +61,22 @@ void Power::confirm(bool is_set) {
   }
 }
 
-void Power::step(bool is_safe, Instant now) {
+void Power::step(bool is_safe, bool is_storing, Instant now) {
   const Millis patience = is_down_asked_ ? limits::unconfirmed_power_down : limits::lost_link_power_down;
   if (now - last_heard_ >= patience) {  // SB-4.4
     is_ending_ = true;
   }
-  if (is_ending_ && is_safe) {  // SB-4.5
+  if (!is_ending_ || !is_safe) {  // SB-4.5
+    return;
+  }
+  if (!is_leaving_) {
+    is_leaving_ = true;
+    left_ = now;
+    if (is_confirmed_) {
+      return;  // one step for those who want to write the power-down itself
+    }
+  }
+  if (!is_storing || now - left_ >= limits::longest_store_wait) {  // SB-4.3
     is_off_ = true;
   }
 }

@@ -17,11 +17,14 @@ class Power {
   void heard(base::Instant now) { last_heard_ = now; }
   // One SR general. `is_active`: the driver did something; `sleep_after` = 0 never sleeps (SB-4.2).
   void general(const bus::shark::SrGeneral& packet, bool is_active, base::Millis sleep_after, base::Instant now);
-  // Once a millisecond. `is_safe`: no demand, brakes engaged, nothing being written (SB-4.3, SB-4.5).
-  void step(bool is_safe, base::Instant now);
+  // Once in ten milliseconds. `is_safe`: no demand, brakes engaged (SB-4.5); `is_storing`: the EEPROM is being written,
+  // or about to be (SB-4.3).
+  void step(bool is_safe, bool is_storing, base::Instant now);
 
   Latch latch() const { return is_off_ ? Latch::release : Latch::hold; }
   bool is_off() const { return is_off_; }
+  // At rest and about to let go: the last moment to have something written.
+  bool is_leaving() const { return is_leaving_; }
   // From the accepted press on, nothing drives any more (SB-4.1).
   bool forbids_driving() const { return button_ == Button::accepted || is_down_asked_ || is_ending_; }
   bool is_down_asked() const { return is_down_asked_; }    // "power down now"
@@ -44,12 +47,14 @@ class Power {
   base::Instant last_heard_;  // or the start, if there was none yet
   base::Instant last_active_;
   base::Instant pressed_;
+  base::Instant left_;  // when it was at rest and could have let go
   Button button_ = Button::not_seen_up;
   uint8_t confirms_ = 0;
   bool is_down_asked_ = false;
   bool is_sleep_asked_ = false;
   bool is_confirmed_ = false;
   bool is_ending_ = false;
+  bool is_leaving_ = false;
   bool is_off_ = false;
 };
 

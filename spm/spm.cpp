@@ -28,6 +28,10 @@ uint8_t characters_to_let_pass(const Framer& framer) {
 
 const Outputs& Spm::step(const Inputs& in, Instant now) {
   outputs_.are_motors_as_before = outputs_.are_switches_as_before = true;
+  if (!outputs_.events.empty()) {
+    kept_count_ = 0;
+    outputs_.events = Span<const faults::Event>();
+  }
   if (!is_started_) {
     start(in, now);
   }
@@ -56,9 +60,21 @@ void Spm::start(const Inputs& in, Instant now) {
   motion_.configure(settings_);
   power_.start(now);
   fuel_gauge_.start(now);
-  record(EventCode::started, in.start == Start::unexpected, now);
+  record(EventCode::started, static_cast<uint8_t>(in.start), now);  // SB-3.9
+  if (in.settings_copy_bad) {
+    record(EventCode::settings_copy_bad, 0, now);
+  }
   keep_house(in, now);
   kept_house_ = now + Millis(0U - limits::first_house_keeping.count());
+}
+
+void Spm::record_code(uint8_t code, uint8_t argument, Instant now) {
+  events_.record(code, argument, now);
+  if (kept_count_ < kept_.size()) {
+    kept_[kept_count_] = events_.newest(0);
+    ++kept_count_;
+    outputs_.events = Span<const faults::Event>(kept_.begin(), kept_count_);
+  }
 }
 
 // ---- hear: bytes to verdicts to packets
@@ -78,6 +94,9 @@ void Spm::hear(const Inputs& in, Instant now) {
   }
   for (uint8_t i = 0; i < in.heard_count; ++i) {
     const HeardByte& byte = in.heard[i];
+    if (framer_.take_data(byte)) {
+      continue;
+    }
     const Stamp before = framer_.last_byte();
     const Verdict verdict = framer_.feed(byte);
     if (!verdict.is_empty()) {
@@ -247,7 +266,7 @@ void Spm::log_faults(Instant now) {
   for (uint8_t i = 0; i < fault_count; ++i, fault = fault.next()) {
     const uint8_t event = from_flash(fault_rows[i].event);
     if (unlogged_.has(fault) && event != static_cast<uint8_t>(EventCode::none)) {
-      events_.record(event, 0, now);
+      record_code(event, 0, now);
     }
   }
   unlogged_ = FaultSet();
@@ -268,7 +287,7 @@ void Spm::weigh_inhibits() {
 FaultSet Spm::present_faults(const Inputs& in) const {
   FaultSet present;
   present.put(Fault::internal, motion_.has_refused());
-  present.put(Fault::unexpected_start, in.start == Start::unexpected);
+  present.put(Fault::unexpected_start, is_unexpected(in.start));
   present.put(Fault::settings_lost, in.settings_lost);
   present.put(Fault::corrupt_packets, link_.has_corrupt_run());
   present.put(Fault::general_missing, link_.is_silent());
@@ -416,12 +435,16 @@ void Spm::keep_house(const Inputs& in, Instant now) {
 }
 
 void Spm::manage_power(const Inputs& in, Instant now) {
-  const bool was_off = power_.is_off();
+  const bool was_leaving = power_.is_leaving();
   const bool is_safe = !motion_.are_brakes_released();
-  power_.step(is_safe, now);
+  power_.step(is_safe, in.is_storing, now);
   outputs_.latch = power_.latch();
-  if (power_.is_off() && !was_off) {
-    record(EventCode::powered_down, power_.is_remote_gone(), now);
+  if (power_.is_leaving() && !was_leaving) {
+    if (power_.is_remote_gone()) {  // SB-4.4: the latch does not wait until that is written
+      events_.record(static_cast<uint8_t>(EventCode::powered_down), 1, now);
+    } else {
+      record(EventCode::powered_down, 0, now);
+    }
   }
   if (power_.is_off() && in.wake && !was_wake_) {
     *this = Spm(settings_);  // woken again before the supply had died: begin anew

@@ -97,8 +97,9 @@ class Spm {
   void manage_power(const Inputs& in, base::Instant now);
 
   void record(EventCode code, uint8_t argument, base::Instant now) {
-    events_.record(static_cast<uint8_t>(code), argument, now);
+    record_code(static_cast<uint8_t>(code), argument, now);
   }
+  void record_code(uint8_t code, uint8_t argument, base::Instant now);
 
   Settings settings_;
 
@@ -125,10 +126,12 @@ class Spm {
   bool are_settings_due_ = false;
 
   faults::Manager<Fault, fault_count> faults_;
-  FaultSet unlogged_;  // begun, not yet in the log: an answer went first
-  bool is_stopping_ = false;  // an emergency stop is on its way (SB-2.17)
+  FaultSet unlogged_;                                          // begun, not yet in the log: an answer went first
+  bool is_stopping_ = false;                                   // an emergency stop is on its way (SB-2.17)
   Inhibits inhibits_ = Inhibits::of(Inhibit::no_general_yet);  // never empty before it has been weighed
   faults::EventRing events_;
+  base::Array<faults::Event, 4> kept_ = {};  // those of this step that outlive the supply
+  uint8_t kept_count_ = 0;
 
   Motion motion_;
   Power power_;

@@ -9,6 +9,9 @@ constexpr Micros Framer::longest_gap;
 
 Verdict Framer::feed(const HeardByte& byte) {
   Verdict verdict;
+  if (take_data(byte)) {
+    return verdict;
+  }
   end_overdue(byte.at, verdict);
   last_ = byte.at;
   is_line_quiet_ = false;
@@ -16,12 +19,8 @@ Verdict Framer::feed(const HeardByte& byte) {
   if (byte.is_spoiled) {  // SB-2.10: nothing in it can be trusted, not even its marker
     drop_packet(verdict);
   } else if (has_marker(byte.value)) {
-    if (state_ == State::packet) {
-      verdict.what = append(byte.value);
-      if (state_ == State::packet) {
-        return verdict;
-      }
-      verdict.corrupt = static_cast<uint8_t>(verdict.corrupt + (verdict.what == Verdict::What::nothing ? 1 : 0));
+    if (state_ == State::packet) {  // all data has come: the checksum
+      finish_packet(byte.value, verdict);
     } else {
       drop_packet(verdict);  // SB-2.10: a run of such bytes outside any packet is one corrupt packet
     }
@@ -74,15 +73,13 @@ void Framer::begin(uint8_t start) {
   state_ = State::packet;
 }
 
-Verdict::What Framer::append(uint8_t byte) {
-  if (received_ < frame_.length) {
-    frame_.data[received_] = static_cast<uint8_t>(byte & ~marker_bit);
-    ++received_;
-    sum_ = static_cast<uint8_t>(sum_ + byte);
-    return Verdict::What::nothing;
-  }
+void Framer::finish_packet(uint8_t byte, Verdict& verdict) {
   state_ = State::idle;
-  return byte == checksum(sum_) ? Verdict::What::frame : Verdict::What::nothing;  // SB-2.5
+  if (byte == checksum(sum_)) {  // SB-2.5
+    verdict.what = Verdict::What::frame;
+  } else {  // SB-2.10
+    ++verdict.corrupt;
+  }
 }
 
 // The byte belongs to no sound packet, and nobody sends it again (SB-2.9); a collision looks no different (SB-2.18).

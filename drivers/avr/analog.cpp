@@ -3,6 +3,7 @@
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
+#include "drivers/avr/analog_scan.hpp"
 #include "drivers/avr/interrupt_lock.hpp"
 
 namespace {
@@ -10,9 +11,7 @@ namespace {
 using drivers::analog::channel_count;
 
 constexpr uint8_t reference = _BV(REFS0);  // AVCC
-// 8 MHz / 128: a conversion takes 13 clocks = 208 us, so every channel is renewed each 1.7 ms.
-constexpr uint8_t converting = _BV(ADEN) | _BV(ADSC) | _BV(ADIE) | _BV(ADPS2) | _BV(ADPS1) | _BV(ADPS0);
-static_assert(F_CPU / 128 >= 50000 && F_CPU / 128 <= 200000, "the converter is exact from 50 to 200 kHz");
+constexpr uint8_t channels_of_a_tick = 4;
 
 volatile uint16_t results[channel_count];
 volatile uint8_t current;
@@ -29,7 +28,9 @@ ISR(ADC_vect) {
   }
   current = next;
   ADMUX = static_cast<uint8_t>(reference | next);
-  ADCSRA = converting;
+  if (next % channels_of_a_tick != 0) {
+    drivers::avr::start_conversion();
+  }
 }
 
 namespace drivers {
@@ -40,7 +41,6 @@ void start() {
   is_complete = false;
   DIDR0 = 0xFF;  // all of port A is analog
   ADMUX = reference;
-  ADCSRA = converting;
 }
 
 uint16_t raw(Channel channel) {

@@ -43,6 +43,8 @@ struct Machine {
   bool latch_held = false;
   std::uint32_t watchdog_feeds = 0;
   std::array<std::uint8_t, store::size> eeprom;  // erased (0xFF) when new
+  bool is_store_writing = false;
+  base::Instant store_written_at;
 
   Machine() { eeprom.fill(0xFF); }
 

@@ -117,6 +117,54 @@ TEST_CASE("two confirms in a row release the latch, at rest within 200 ms", "[SB
   CHECK(bench.spm().events().newest(0).argument == 0);
 }
 
+TEST_CASE("the latch is held while something is being written, 200 ms at most", "[SB-4.3][SB-4.5][H-20]") {
+  Bench bench = pressed();
+  bench.cycle(wire::confirm);
+  bench.hear(wire::confirm);
+  bench.in.is_storing = true;
+  const Microseconds confirmed = bench.now();
+  Bench patient = bench;
+  patient.run_until(confirmed + 150000);
+  CHECK_FALSE(patient.is_off());
+  CHECK(patient.has_event(spm::EventCode::powered_down));  // said before, so that it can be written
+  patient.in.is_storing = false;
+  patient.run_ms(10);
+  CHECK(patient.is_off());
+  bench.run_until(confirmed + 165000);
+  CHECK_FALSE(bench.is_off());
+  bench.run_until(confirmed + 200000);
+  CHECK(bench.is_off());
+}
+
+TEST_CASE("the power-down is said once, in one step, and the latch goes in a later one", "[SB-4.3]") {
+  Bench bench = pressed();
+  bench.cycle(wire::confirm);
+  bench.hear(wire::confirm);
+  int times = 0;
+  while (!bench.is_off()) {
+    bench.run_us(500);
+    for (const faults::Event& event : bench.outputs().events) {
+      CHECK(event.code == 6);
+      CHECK(event.argument == 0);
+      ++times;
+      CHECK_FALSE(bench.is_off());
+    }
+  }
+  CHECK(times == 1);
+}
+
+TEST_CASE("that the remote is gone makes the latch wait for no writing of its own", "[SB-4.4]") {
+  Bench bench = pressed();
+  bench.hear(wire::at_rest);
+  const Microseconds end = bench.now();
+  while (!bench.is_off()) {
+    bench.run_us(500);
+    REQUIRE((bench.outputs().events.empty() || bench.outputs().events[0].code != 6));
+  }
+  CHECK(bench.now() - end <= 520000);
+  CHECK(bench.has_event(spm::EventCode::powered_down));
+}
+
 TEST_CASE("confirms that do not come in a row do not count", "[SB-4.3][H-06][H-16]") {
   Bench bench = pressed();
   for (int i = 0; i < 10; ++i) {

@@ -245,10 +245,10 @@ TEST_CASE("a dip of the battery shorter than 2 s, or readings that are not real 
 TEST_CASE("an unexpected reset leaves the chair stopped, limping and logged, and waiting for the handshake",
           "[SB-3.9][H-25]") {
   Bench bench;
-  bench.in.start = spm::Start::unexpected;
+  bench.in.start = spm::Start::watchdog;
   spm::Spm module;
   spm::Inputs in;
-  in.start = spm::Start::unexpected;
+  in.start = spm::Start::watchdog;
   module.step(in, base::Instant(0));
   CHECK(module.events().newest(0).code == static_cast<std::uint8_t>(spm::EventCode::started));
   CHECK(module.events().newest(0).argument == 1);
@@ -260,6 +260,24 @@ TEST_CASE("an unexpected reset leaves the chair stopped, limping and logged, and
   CHECK(bench.system_state() == 8);
   bench.cycle(wire::forward_fast, 400);
   CHECK(bench.left() == Approx(6554).margin(1));
+}
+
+TEST_CASE("the start says its cause: 0 power on, 1 watchdog, 2 brown-out, 3 external", "[SB-3.9]") {
+  const auto started = [](spm::Start start) {
+    spm::Spm module;
+    spm::Inputs in;
+    in.start = start;
+    const spm::Outputs& outputs = module.step(in, base::Instant(0));
+    REQUIRE(outputs.events.size() == 1);
+    CHECK(outputs.events[0].code == 1);
+    const int argument = outputs.events[0].argument;
+    CHECK(module.step(in, base::Instant(1)).events.empty());
+    return std::make_pair(argument, module.faults().is_limping);
+  };
+  CHECK(started(spm::Start::power_on) == std::make_pair(0, false));
+  CHECK(started(spm::Start::watchdog) == std::make_pair(1, true));
+  CHECK(started(spm::Start::brown_out) == std::make_pair(2, true));
+  CHECK(started(spm::Start::external) == std::make_pair(3, false));
 }
 
 TEST_CASE("lost settings make the chair limp, and are logged", "[H-20]") {

@@ -41,9 +41,14 @@ void add_settings(Record& record, const Settings& settings) {
 }
 
 void add_loaded(Record& record, const SettingsBlock& block) {
-  const spm::LoadedSettings loaded = spm::read_settings(block);
-  record.add(loaded.is_lost);
+  const spm::LoadedSettings loaded = spm::read_settings(block, spm::make_settings_block(Settings(), 200));
+  record.add(loaded.is_copy_bad);
+  record.add(loaded.next_copy);
   add_settings(record, loaded.settings);
+}
+
+bool is_lost(const SettingsBlock& block) {
+  return spm::read_settings(block, block).is_lost;
 }
 
 uint16_t crc16_of_text(const char* text) {
@@ -56,8 +61,8 @@ uint16_t crc16_of_text(const char* text) {
 
 // A block that is sound but for one value, which the settings themselves would not have taken.
 SettingsBlock block_with(Setting setting, uint16_t value) {
-  SettingsBlock block = spm::make_settings_block(Settings());
-  const uint8_t place = static_cast<uint8_t>(2 + 2 * static_cast<uint8_t>(setting));
+  SettingsBlock block = spm::make_settings_block(Settings(), 201);
+  const uint8_t place = static_cast<uint8_t>(4 + 2 * static_cast<uint8_t>(setting));
   block[place] = static_cast<uint8_t>(value & 0xFF);
   block[static_cast<uint8_t>(place + 1)] = static_cast<uint8_t>(value >> 8);
   const uint16_t crc = spm::crc16_of(block);
@@ -99,7 +104,7 @@ void setting_ranges(Record& record) {
 }
 
 void settings_block(Record& record) {
-  const SettingsBlock shipped = spm::make_settings_block(Settings());
+  const SettingsBlock shipped = spm::make_settings_block(Settings(), 0);
   for (uint8_t i = 0; i < spm::settings_size; ++i) {
     record.add(shipped[i]);
     SettingsBlock torn = shipped;
@@ -110,8 +115,8 @@ void settings_block(Record& record) {
   }
   Random random(9);
   for (uint16_t i = 0; i < 100; ++i) {
-    add_loaded(record, spm::make_settings_block(any_settings(random)));
-    add_loaded(record, spm::make_settings_block(any_extremes(random)));
+    add_loaded(record, spm::make_settings_block(any_settings(random), static_cast<uint8_t>(i)));
+    add_loaded(record, spm::make_settings_block(any_extremes(random), static_cast<uint8_t>(i)));
     const Setting setting = static_cast<Setting>(random.below(spm::setting_count));
     add_loaded(record, block_with(setting, random.word()));
   }
@@ -124,14 +129,16 @@ void settings_block(Record& record) {
   record.known(crc16_of_text("123456789"), 0x29B1);
   record.known(crc16_of_text("A"), 0xB915);
   record.known(crc16_of_text(""), 0xFFFF);
-  record.known(shipped[0], 1);
-  record.known(shipped[2], 30);  // the deadband
-  record.known(shipped[3], 0);
-  record.known(shipped[4] | shipped[5] << 8, 475);  // the stick's travel
-  record.known(spm::read_settings(shipped).is_lost, 0);
-  record.known(spm::read_settings(erased).is_lost, 0);
-  record.known(spm::read_settings(block_with(Setting::deadband, 100)).settings[Setting::deadband], 100);
-  record.known(spm::read_settings(block_with(Setting::deadband, 101)).is_lost, 1);
+  record.known(shipped[0], 0);
+  record.known(shipped[1], 2);
+  record.known(shipped[4], 30);  // the deadband
+  record.known(shipped[5], 0);
+  record.known(shipped[6] | shipped[7] << 8, 475);  // the stick's travel
+  record.known(is_lost(shipped), 0);
+  record.known(is_lost(erased), 0);
+  record.known(spm::read_settings(block_with(Setting::deadband, 100), shipped).settings[Setting::deadband], 30);
+  record.known(spm::read_settings(block_with(Setting::deadband, 100), erased).settings[Setting::deadband], 100);
+  record.known(is_lost(block_with(Setting::deadband, 101)), 1);
 }
 
 }  // namespace vectors
