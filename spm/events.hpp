@@ -27,6 +27,10 @@ enum class EventCode : uint8_t {
   internal_fault = 24,
   settings_lost = 25,      // H-20
   settings_copy_bad = 26,  // H-20: one of two; the other is used
+  left_motor = 30,         // H-10
+  right_motor = 31,        // H-10
+  left_brake = 32,         // H-13; also if it cannot be told which
+  right_brake = 33,        // H-13
 };
 
 }  // namespace spm

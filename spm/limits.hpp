@@ -56,6 +56,18 @@ constexpr Demand steepest_rise = Demand(66);  // zero to full speed in 248 ms
 constexpr Millis stale_general = 66_ms;  // SB-2.15 once more, for the gate: a general older than this is no command
 constexpr Demand limp_ceiling = Demand(8192);  // SB-2.16: no setting lets LIMP exceed half of full voltage
 
+constexpr Millis brake_stagger = 40_ms;  // H-13: from the left coil to the right one: three looks at it alone
+
+// Outputs against their currents, looked at with every house-keeping; the board reads each sensor twice as often.
+constexpr uint8_t motor_looks = 4;                  // H-10: in a row, so at least 30 ms
+constexpr Milliamps stray_motor_current = 5000_mA;  // H-10: of a motor whose bridge is off
+constexpr Milliamps most_motor_current = 80000_mA;  // H-10: beyond its peak of 60 A, whatever is asked of it
+constexpr uint8_t coil_looks = 10;                  // H-13: in a row, so 100 ms and not more
+constexpr Milliamps half_a_coil = 325_mA;           // a coil draws 0.65 A
+constexpr Milliamps least_of_two_coils = 975_mA;    // one and a half
+constexpr Milliamps most_of_a_coil = 1000_mA;
+constexpr Milliamps most_of_two_coils = 2000_mA;
+
 // Reports
 constexpr uint8_t settings_every = 49;  // SB-0A.1: generals between two settings packets, as real modules do
 constexpr Millis longest_without_settings = 1000_ms;  // SB-0A.1
@@ -73,6 +85,7 @@ static_assert(bus::shark::Turn::capacity <= base::TurnSender::capacity, "the lon
 static_assert(link.silence.count() > 3 * 20000U, "SB-2.15: three cycles of 20 ms and a little more must fit");
 static_assert(settings_every * cycle.count() <= longest_without_settings.count(), "SB-0A.1: at least once a second");
 static_assert(full_demand.count() / least_fall.count() <= 1500, "SB-2.17: zero within 1500 ms");
+static_assert(motor_looks * house_keeping.count() + 5 < 60, "H-10: off within 60 ms");
 static_assert(stopped_brake_delay <= 250_ms, "SB-2.17");
 static_assert(longest_store_wait + house_keeping + house_keeping + house_keeping <= 200_ms,
               "SB-4.3: within 200 ms of the confirm, however late each look at the supply is");

@@ -21,6 +21,9 @@ __attribute__((noinline)) void Motion::step(const Leave& leave, base::Instant no
     was_limping_ = leave.is_limping;
   }
 
+  if (leave.must_cut) {
+    park_brake_.engage();
+  }
   if (!park_brake_.allows_torque()) {
     ramps_.clear();
   } else if (leave.may_drive) {

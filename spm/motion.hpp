@@ -18,6 +18,7 @@ class Motion {
     bool may_drive = false;  // no inhibit of any kind
     bool is_limping = true;
     base::Millis general_age = base::Millis(UINT32_MAX);
+    bool must_cut = false;  // an output is stuck: no ramp, brakes at once (H-10)
   };
 
   // After a start and whenever settings change; the chair must be at rest.
@@ -36,7 +37,8 @@ class Motion {
   bool is_stick_at_rest() const { return is_at_rest(stick_, profile_); }
   // Ready for torque: the bus calls it driving (SB-01.4).
   bool is_driving() const { return park_brake_.allows_torque(); }
-  bool are_brakes_released() const { return park_brake_.is_released(); }
+  bool are_brakes_released() const { return park_brake_.is_released(); }  // one or both
+  bool are_both_brakes_released() const { return park_brake_.are_both_released(); }
   // As of the last general, or 0 as soon as the wheels get nothing (SB-01.7).
   uint8_t speedo() const { return speedo_; }
   // The gate was once handed nonsense.

@@ -298,7 +298,7 @@ FaultSet Spm::present_faults(const Inputs& in) const {
   present.put(Fault::remote_limps, general_.non_critical_fault);
   present.put(Fault::battery_flat, in.analog_ready && in.battery < Millivolts(settings_[Setting::battery_cutoff]));
   present.put(Fault::out_of_neutral, neutral_.is_violated());
-  return present;
+  return present | output_watch_.faults();  // last: what begins empty costs less
 }
 
 Inhibits Spm::present_inhibits() const {
@@ -349,7 +349,9 @@ void Spm::count_towards_settings(Millis period, Instant now) {
 void Spm::end_turn(const Inputs& in, Micros age, Micros latest, Instant now) {
   turn_of_ = Sender::nobody;
   const bool is_earned = responder_.is_earned();
-  if (!responder_.finish(in.speaker == Speaker::speaking, age, latest)) {
+  // A turn that met somebody else's may be over again before its TF is seen here.
+  const bool has_begun = in.speaker == Speaker::speaking || in.echo_differed;
+  if (!responder_.finish(has_begun, age, latest)) {  // SB-1.4: given up is given up
     record(EventCode::answer_too_late, 0, now);
   } else if (is_earned) {
     programmer_.left();
@@ -409,6 +411,7 @@ void Spm::move(Millis late, Instant now) {
     last_step_ = now + Millis(0U - uint32_t{longest_catch_up});
   }
   Motion::Leave leave;
+  leave.must_cut = output_watch_.must_cut();
   leave.may_drive = inhibits_.empty();
   leave.is_limping = faults_.summary().is_limping;
   leave.general_age = now - general_at_;
@@ -418,7 +421,8 @@ void Spm::move(Millis late, Instant now) {
   }
   outputs_.left = motion_.demand().left;
   outputs_.right = motion_.demand().right;
-  outputs_.left_brake = outputs_.right_brake = motion_.are_brakes_released() ? Brake::released : Brake::engaged;
+  outputs_.left_brake = motion_.are_brakes_released() ? Brake::released : Brake::engaged;
+  outputs_.right_brake = motion_.are_both_brakes_released() ? Brake::released : Brake::engaged;
   outputs_.bridge_enabled = motion_.are_brakes_released();
   outputs_.relay_closed = motion_.are_brakes_released() || leave.may_drive;
   outputs_.are_motors_as_before = false;
@@ -427,6 +431,7 @@ void Spm::move(Millis late, Instant now) {
 void Spm::keep_house(const Inputs& in, Instant now) {
   kept_house_ = now;
   outputs_.are_switches_as_before = false;
+  output_watch_.step(in, outputs_);
   supervise(in, now);
   fuel_gauge_.step(in.battery, motion_.are_brakes_released(), settings_, now);
   led_.step(faults_.summary().system_state, now);

@@ -21,6 +21,7 @@
 #include "spm/motion.hpp"
 #include "spm/neutral.hpp"
 #include "spm/operating_mode.hpp"
+#include "spm/output_watch.hpp"
 #include "spm/outputs.hpp"
 #include "spm/power.hpp"
 #include "spm/programmer.hpp"
@@ -134,6 +135,7 @@ class Spm {
   uint8_t kept_count_ = 0;
 
   Motion motion_;
+  OutputWatch output_watch_;
   Power power_;
   FuelGauge fuel_gauge_;
   StatusLed led_;

@@ -1,7 +1,7 @@
 // When we may speak, and what (SB-2.7, SB-2.12, SB-2.13).
 //
 // Goals: an answer for every turn that earned one, none for any other, never in somebody else's slot.
-// Assumptions: the transmitter, once armed, begins by itself at the next clean TF; is_speaking says whether it has.
+// Assumptions: the transmitter, once armed, begins by itself at the next clean TF; has_begun says whether it did.
 // Invariants: one answer at most for each heard turn; a turn that earned none ends in silence.
 #pragma once
 
@@ -35,8 +35,8 @@ class Responder {
   }
 
   // The turn being heard is over, since `age`. False if an answer was due but its time has passed.
-  bool finish(bool is_speaking, base::Micros age, base::Micros latest) {
-    const bool is_due = is_earned_ && !is_speaking;
+  bool finish(bool has_begun, base::Micros age, base::Micros latest) {
+    const bool is_due = is_earned_ && !has_begun;
     is_earned_ = false;
     if (!is_due) {
       return true;

@@ -15,6 +15,7 @@ constexpr double rolling_coefficient = 0.015;
 constexpr double castor_friction = 10;  // Nm against turning, dry
 constexpr double castor_drag = 3;       // Nm per rad/s
 constexpr double full_duty = 511;
+constexpr double shorted_coil_current = 3;
 constexpr double electronics_current = 0.15;  // A
 constexpr double indicator_current = 1.75;
 constexpr double headlight_current = 2.5;
@@ -43,32 +44,43 @@ Chair::Chair() {
 }
 
 void Chair::step(Time dt) {
-  left_brake_.step(pins_.left_brake_release, dt);
-  right_brake_.step(pins_.right_brake_release, dt);
+  left_brake_.step(lifts(left_damages_, pins_.left_brake_release), dt);
+  right_brake_.step(lifts(right_damages_, pins_.right_brake_release), dt);
   state_.left_brake_engaged = left_brake_.is_engaged();
   state_.right_brake_engaged = right_brake_.is_engaged();
   feed_motors(dt);
   move(seconds(dt));
 }
 
-double Chair::bridge_duty(bool is_forward, std::uint16_t duty) const {
-  return (is_forward ? 1 : -1) * std::min(1.0, duty / full_duty);
+bool Chair::lifts(const Damages& damages, bool is_released) {
+  return is_released && !has(damages, Damage::open_coil) && !has(damages, Damage::shorted_coil);
+}
+
+Chair::Circuit Chair::circuit(const Damages& damages, bool is_forward, std::uint16_t duty) const {
+  if (!pins_.motor_relay || has(damages, Damage::open_motor)) {
+    return {};
+  }
+  if (has(damages, Damage::stuck_bridge)) {
+    return {true, 1};
+  }
+  return pins_.bridge_enable ? Circuit{true, (is_forward ? 1 : -1) * std::min(1.0, duty / full_duty)} : Circuit{};
 }
 
 // The bridge is a transformer: duty scales voltage down to the motor and current back to the battery. Solved
 // for the sagging terminal voltage at once, as stepping through it would ring.
 void Chair::feed_motors(Time dt) {
-  const bool is_closed = pins_.bridge_enable && pins_.motor_relay;
-  const double left = is_closed ? bridge_duty(pins_.left_forward, pins_.left_duty) : 0;
-  const double right = is_closed ? bridge_duty(pins_.right_forward, pins_.right_duty) : 0;
+  const Circuit left_circuit = circuit(left_damages_, pins_.left_forward, pins_.left_duty);
+  const Circuit right_circuit = circuit(right_damages_, pins_.right_forward, pins_.right_duty);
+  const double left = left_circuit.duty;
+  const double right = right_circuit.duty;
   const double emf = left * motor_.back_emf(state_.left_wheel) + right * motor_.back_emf(state_.right_wheel);
   const double ratio = Battery::resistance / Motor::resistance;
   const double source = battery_.open_circuit() - Battery::resistance * load_current();
   state_.battery_volts = (source + ratio * emf) / (1 + ratio * (left * left + right * right));
   state_.left_volts = left * state_.battery_volts;
   state_.right_volts = right * state_.battery_volts;
-  state_.left_current = is_closed ? motor_.current(state_.left_volts, state_.left_wheel) : 0;
-  state_.right_current = is_closed ? motor_.current(state_.right_volts, state_.right_wheel) : 0;
+  state_.left_current = left_circuit.is_closed ? motor_.current(state_.left_volts, state_.left_wheel) : 0;
+  state_.right_current = right_circuit.is_closed ? motor_.current(state_.right_volts, state_.right_wheel) : 0;
   state_.battery_current = load_current() + left * state_.left_current + right * state_.right_current;
   battery_.discharge(state_.battery_current, seconds(dt));
 }
@@ -113,8 +125,16 @@ void Chair::move(double dt) {
   state_.heading += state_.turn_rate * dt;
 }
 
+double Chair::coil_current(const Damages& damages, bool is_released) {
+  if (!is_released || has(damages, Damage::open_coil)) {
+    return 0;
+  }
+  return has(damages, Damage::shorted_coil) ? shorted_coil_current : ParkBrake::coil_current;
+}
+
 double Chair::coil_current() const {
-  return ParkBrake::coil_current * (pins_.left_brake_release + pins_.right_brake_release);
+  return coil_current(left_damages_, pins_.left_brake_release) +
+         coil_current(right_damages_, pins_.right_brake_release);
 }
 
 double Chair::actuator_current() const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "simulation/board/spm_board.hpp"
@@ -30,6 +31,16 @@ struct ChairState {
   bool right_brake_engaged = true;
 };
 
+enum class Side : std::uint8_t { left, right };
+
+// What can be broken on one side; anything of it, both sides at once, and nothing at first.
+enum class Damage : std::uint8_t {
+  open_coil,     // the wire of the park brake's coil is off: no current, the brake stays engaged
+  shorted_coil,  // it draws far too much and lifts nothing
+  stuck_bridge,  // the motor has the full supply, forward, while the relay is closed
+  open_motor,    // the motor's wire is off: no current
+};
+
 class Chair {
  public:
   Chair();
@@ -44,10 +55,25 @@ class Chair {
   void set_driver_mass(double kilograms) { driver_mass_ = kilograms; }
   void set_battery_voltage(double volts) { battery_.force_open_circuit(volts); }
   void set_battery(double volts) { set_battery_voltage(volts); }
+  void set_damage(Damage damage, Side side, bool is_there) { damage_of(side)[index_of(damage)] = is_there; }
   void set_position(double metres) { state_.position = metres; }
 
  private:
-  double bridge_duty(bool is_forward, std::uint16_t duty) const;
+  using Damages = std::array<bool, 4>;
+
+  // What connects a motor to the supply: nothing, or a bridge with its duty.
+  struct Circuit {
+    bool is_closed = false;
+    double duty = 0;
+  };
+
+  static std::size_t index_of(Damage damage) { return static_cast<std::size_t>(damage); }
+  Damages& damage_of(Side side) { return side == Side::left ? left_damages_ : right_damages_; }
+  static bool has(const Damages& damages, Damage damage) { return damages[index_of(damage)]; }
+  static bool lifts(const Damages& damages, bool is_released);
+  static double coil_current(const Damages& damages, bool is_released);
+
+  Circuit circuit(const Damages& damages, bool is_forward, std::uint16_t duty) const;
   double coil_current() const;
   double actuator_current() const;
   double load_current() const;
@@ -55,6 +81,8 @@ class Chair {
   void move(double dt);
 
   Pins pins_;
+  Damages left_damages_{};
+  Damages right_damages_{};
   ChairState state_;
   Battery battery_;
   Motor motor_;  // both are alike

@@ -78,7 +78,10 @@ void Wheels::take(const Pins& pins, Time now) {
   if (!are_both_released()) {
     braked_until_ = now;
   }
-  odds_ = count_on(pins.left_brake_release != pins.right_brake_release, odds_);
+  const bool is_first_alone = pins.left_brake_release && !pins.right_brake_release && is_zero();
+  lag_ = count_on(is_first_alone && (lag_ > 0 || has_begun_to_release()), lag_);
+  const bool may_lag = lag_ > 0 && lag_ <= limits::brakes_apart;
+  odds_ = count_on(pins.left_brake_release != pins.right_brake_release && !may_lag, odds_);
   braked_torque_ = count_on(!is_zero() && !are_both_released(), braked_torque_);
   loose_ = count_on(is_a_brake_released() && !(pins.bridge_enable && pins.motor_relay), loose_);
 }

@@ -1,4 +1,4 @@
-// `fault:`, what goes wrong on the wire.
+// `fault:`, what goes wrong on the wire and in the chair.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -137,6 +137,32 @@ std::optional<Action> wake_pulse(const YAML::Node& value, Table&, Problems& prob
   return time ? std::optional<Action>(WakePulse{*time}) : std::nullopt;
 }
 
+struct Part {
+  const char* name;
+  Damage damage;
+};
+
+const std::vector<Part>& parts() {
+  static const std::vector<Part> rows{
+      {"open brake coil", Damage::open_coil},
+      {"shorted brake coil", Damage::shorted_coil},
+      {"stuck bridge", Damage::stuck_bridge},
+      {"open motor", Damage::open_motor},
+  };
+  return rows;
+}
+
+std::optional<Action> read_side(Damage damage, bool is_broken, const YAML::Node& value, Problems& problems) {
+  const auto side = read_choice(value, {"left", "right"}, problems);
+  return side ? std::optional<Action>(Break{damage, *side == "left" ? Side::left : Side::right, is_broken})
+              : std::nullopt;
+}
+
+template <Damage damage>
+std::optional<Action> break_part(const YAML::Node& value, Table&, Problems& problems) {
+  return read_side(damage, true, value, problems);
+}
+
 }  // namespace
 
 const std::vector<FaultWord>& fault_words() {
@@ -157,6 +183,16 @@ const std::vector<FaultWord>& fault_words() {
        "random characters back to back, from the scenario's seed; the step does not wait", babble},
       {"wake pulse", "fault: {wake pulse: {for: 200ms}}",
        "SBH above 12 V, nothing can be heard; the step does not wait", wake_pulse},
+      {"open brake coil", "fault: {open brake coil: left}",
+       "the wire is off: no current, and that park brake stays engaged, until 'restore'",
+       break_part<Damage::open_coil>},
+      {"shorted brake coil", "fault: {shorted brake coil: right}", "it draws 3 A and lifts nothing, until 'restore'",
+       break_part<Damage::shorted_coil>},
+      {"stuck bridge", "fault: {stuck bridge: right}",
+       "that motor has the full supply, forward, while the motor relay is closed, until 'restore'",
+       break_part<Damage::stuck_bridge>},
+      {"open motor", "fault: {open motor: left}", "the wire is off: no current, until 'restore'",
+       break_part<Damage::open_motor>},
   };
   return words;
 }
@@ -188,6 +224,24 @@ std::optional<Action> parse_fault(const YAML::Node& node, Problems& problems) {
   fault.find(row->word);
   auto action = row->parse(pairs.front().value, fault, problems);
   fault.done();
+  return action;
+}
+
+std::optional<Action> parse_restore(const YAML::Node& node, Problems& problems) {
+  if (!node.IsMap()) {
+    return read_choice(node, {"cable"}, problems) ? std::optional<Action>(MendCable{}) : std::nullopt;
+  }
+  Table restore(node, "restore", problems);
+  std::optional<Action> action;
+  for (const Part& part : parts()) {
+    if (const auto side = restore.find(part.name); side && !action) {
+      action = read_side(part.damage, false, *side, problems);
+    }
+  }
+  if (!action && node.size() == 0) {
+    problems.add(node, "restore what? write 'restore: cable' or 'restore: {stuck bridge: right}'");
+  }
+  restore.done();
   return action;
 }
 

@@ -252,6 +252,26 @@ std::string Hands::apply(const WakePulse& pulse) {
   return fmt::format("SBH is pulled up for {}", show_time(pulse.span));
 }
 
+std::string Hands::apply(const Break& broken) {
+  world_.chair().set_damage(broken.damage, broken.side, broken.is_broken);
+  const char* side = broken.side == Side::left ? "left" : "right";
+  const auto tell = [&](const char* part, const char* harm) {
+    return broken.is_broken ? fmt::format("the {} {} {}", side, part, harm)
+                            : fmt::format("the {} {} is mended", side, part);
+  };
+  switch (broken.damage) {
+    case Damage::open_coil:
+      return tell("park brake's wire", "is off");
+    case Damage::shorted_coil:
+      return tell("park brake's coil", "is shorted");
+    case Damage::stuck_bridge:
+      return tell("bridge", "is stuck: full voltage, forward");
+    case Damage::open_motor:
+      break;
+  }
+  return tell("motor's wire", "is off");
+}
+
 std::string Hands::apply(const Slope& slope) {
   world_.chair().set_slope(slope.degrees);
   return fmt::format("the ground is at {}", show(slope.degrees, Measure::angle));

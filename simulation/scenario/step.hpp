@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "simulation/bus_event.hpp"
+#include "simulation/models/chair.hpp"
 #include "simulation/models/remote.hpp"
 #include "simulation/models/sacu.hpp"
 #include "simulation/scenario/condition.hpp"
@@ -99,6 +100,12 @@ struct WakePulse {  // SBH above 12 V
   Time span{};
 };
 
+struct Break {  // a part of the chair, or mend it
+  Damage damage = Damage::open_coil;
+  Side side = Side::left;
+  bool is_broken = true;
+};
+
 struct Slope {
   double degrees = 0;
 };
@@ -109,7 +116,7 @@ enum class Reset { watchdog, brown_out, external };
 
 using Action = std::variant<Say, Note, Wait, WaitForMidCycle, PressPower, SetControls, SetRemote, SetSacu,
                             UseProgrammer, Expect, Hold, Never, Send, StopSending, CutCable, MendCable, Disturb, Babble,
-                            WakePulse, Slope, Battery, Reset>;
+                            WakePulse, Break, Slope, Battery, Reset>;
 
 struct Step {
   Mark mark;

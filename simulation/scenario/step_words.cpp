@@ -129,8 +129,8 @@ Parsed parse_fault_step(const YAML::Node& value, Table&, Problems& problems) {
   return parse_fault(value, problems);
 }
 
-Parsed parse_restore(const YAML::Node& value, Table&, Problems& problems) {
-  return read_choice(value, {"cable"}, problems) ? Parsed(MendCable{}) : std::nullopt;
+Parsed parse_restore_step(const YAML::Node& value, Table&, Problems& problems) {
+  return parse_restore(value, problems);
 }
 
 Parsed parse_slope(const YAML::Node& value, Table&, Problems& problems) {
@@ -179,9 +179,10 @@ const std::vector<StepWord>& step_words() {
        "bytes on the wire, as SR, SACU or noise, once, some times, or with 'every' alone in the background",
        parse_send},
       {"stop sending", "stop sending", "ends a 'send' in the background", parse_stop},
-      {"fault", "fault: {corrupt checksum: SR general, count: 3}", "disturbs the wire; see the list below",
-       parse_fault_step},
-      {"restore", "restore: cable", "ends 'cut cable'", parse_restore},
+      {"fault", "fault: {corrupt checksum: SR general, count: 3}",
+       "disturbs the wire or breaks a part of the chair; see the list below", parse_fault_step},
+      {"restore", "restore: {stuck bridge: right}",
+       "ends a fault of brakes or motors; 'restore: cable' ends 'cut cable'", parse_restore_step},
       {"slope", "slope: 6deg", "the ground rises (falls: negative) ahead of the chair", parse_slope},
       {"battery", "battery: 22V", "open-circuit voltage of the batteries", parse_battery},
       {"reset", "reset: watchdog", "resets the chip: watchdog, brown-out or external", parse_reset},

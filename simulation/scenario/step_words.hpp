@@ -55,6 +55,8 @@ struct FaultWord {
 };
 
 const std::vector<FaultWord>& fault_words();
+// `restore:`, the end of those that last.
+std::optional<Action> parse_restore(const YAML::Node& node, Problems& problems);
 std::optional<Action> parse_fault(const YAML::Node& node, Problems& problems);
 
 }  // namespace simulation::scenario

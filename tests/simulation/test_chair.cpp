@@ -163,3 +163,46 @@ TEST_CASE("A heavier driver takes longer to get going") {
   run(heavy, driving(300, 300), 300);
   CHECK(heavy.state().speed < light.state().speed);
 }
+
+TEST_CASE("A coil that is off or shorted lifts nothing, and the sensor of both shows it", "[H-13]") {
+  const auto sensor = [](Damage damage, Side side) {
+    Chair chair;
+    chair.set_damage(damage, side, true);
+    run(chair, released(), 100);
+    CHECK(chair.state().left_brake_engaged == (side == Side::left));
+    CHECK(chair.state().right_brake_engaged == (side == Side::right));
+    return chair.analog_volts()[3];
+  };
+  CHECK(sensor(Damage::open_coil, Side::left) == Approx(0.65));
+  CHECK(sensor(Damage::open_coil, Side::right) == Approx(0.65));
+  CHECK(sensor(Damage::shorted_coil, Side::left) == Approx(3.65));
+  CHECK(sensor(Damage::shorted_coil, Side::right) == Approx(3.65));
+}
+
+TEST_CASE("A stuck bridge drives its motor whatever the pins say, until the relay opens", "[H-10]") {
+  Chair chair;
+  chair.set_damage(Damage::stuck_bridge, Side::right, true);
+  Pins pins;
+  run(chair, pins, 100);
+  CHECK(chair.state().right_current == 0);
+  pins.motor_relay = true;
+  run(chair, pins, 10);
+  CHECK(chair.state().right_current > 80);
+  CHECK(chair.state().left_current == 0);
+  pins.motor_relay = false;
+  run(chair, pins, 1);
+  CHECK(chair.state().right_current == 0);
+  pins.motor_relay = true;
+  chair.set_damage(Damage::stuck_bridge, Side::right, false);
+  run(chair, pins, 1);
+  CHECK(chair.state().right_current == 0);
+}
+
+TEST_CASE("A motor whose wire is off has no current, and the chair turns to its side", "[H-10]") {
+  Chair chair;
+  chair.set_damage(Damage::open_motor, Side::left, true);
+  run(chair, driving(300, 300), 1000);
+  CHECK(chair.state().left_current == 0);
+  CHECK(chair.state().right_current > 1);
+  CHECK(chair.state().turn_rate < 0);
+}

@@ -58,8 +58,8 @@ TEST_CASE("a stick moves the wheels once the brakes are open, and only with leav
   CHECK(rig.left() == 0);
   CHECK_FALSE(rig.motion.are_brakes_released());
   rig.leave.may_drive = true;
-  rig.pass(100);
-  CHECK(rig.motion.are_brakes_released());
+  rig.pass(140);
+  CHECK(rig.motion.are_both_brakes_released());
   CHECK_FALSE(rig.motion.is_driving());
   CHECK(rig.left() == 0);
   rig.pass(20);
@@ -72,7 +72,7 @@ TEST_CASE("the time a brake needs to open is its setting", "[H-13]") {
   settings.set(Setting::brake_release_time, 300);
   Rig rig(settings);
   rig.stick(1023, 512);
-  rig.pass(300);
+  rig.pass(340);
   CHECK_FALSE(rig.motion.is_driving());
   rig.pass(2);
   CHECK(rig.motion.is_driving());
@@ -90,6 +90,21 @@ TEST_CASE("without leave a wheel stops at the emergency rate, with leave at its 
   forced.pass(100);
   CHECK(start - wished.left() == Approx(0.1 * 0.480 * 16384).margin(10));
   CHECK(start - forced.left() == Approx(0.1 * 0.800 * 16384).margin(10));
+}
+
+TEST_CASE("a cut takes demand and brakes away in one millisecond", "[H-10]") {
+  Rig rig;
+  rig.stick(1023, 512);
+  rig.pass(3000);
+  REQUIRE(rig.left() > 6000);
+  rig.leave.must_cut = true;
+  rig.leave.may_drive = false;
+  rig.pass(1);
+  CHECK(rig.left() == 0);
+  CHECK(rig.right() == 0);
+  CHECK_FALSE(rig.motion.are_brakes_released());
+  CHECK_FALSE(rig.motion.is_driving());
+  CHECK(rig.motion.speedo() == 0);
 }
 
 TEST_CASE("an old general drives nothing even if nobody else objects", "[SB-2.15][H-01]") {
@@ -217,7 +232,7 @@ TEST_CASE("ramps begin at rest after the brakes have closed", "[H-33]") {
   rig.pass(3000);
   CHECK_FALSE(rig.motion.are_brakes_released());
   rig.leave.may_drive = true;
-  rig.pass(102);
+  rig.pass(142);
   CHECK(rig.left() <= 6);
 }
 

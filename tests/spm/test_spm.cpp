@@ -255,6 +255,27 @@ TEST_CASE("an answer that would come too late is not given, and that is logged",
   CHECK(module.events().newest(0).code == static_cast<std::uint8_t>(spm::EventCode::answer_too_late));
 }
 
+TEST_CASE("a turn that was begun and given up is not begun again", "[SB-1.4][SB-2.18][H-30]") {
+  // The transmitter answered by itself and gave way before the loop came to see the TF.
+  spm::Spm module;
+  spm::Inputs in;
+  const auto step_with = [&](const Bytes& bytes, std::uint16_t heard_at, std::uint16_t now) {
+    in.heard_count = static_cast<std::uint8_t>(bytes.size());
+    for (std::uint8_t i = 0; i < bytes.size(); ++i) {
+      in.heard[i] = base::HeardByte{bytes[i], false, base::Stamp(heard_at)};
+    }
+    in.stamp = base::Stamp(now);
+    return module.step(in, base::Instant(now / 1000U));
+  };
+  const Bytes power_up{0x74, 0x82, 0x86, 0x8B, 0x80, 0xA5, 0xCA, 0xA5, 0x83, 0xE1};
+  CHECK(step_with(power_up, 1000, 1300).speech == spm::Speech::arm);
+  in.echo_differed = true;
+  CHECK(step_with({0x0F}, 1300, 2100).speech == spm::Speech::as_it_is);
+  in.echo_differed = false;
+  CHECK(step_with(power_up, 21000, 21300).speech == spm::Speech::arm);
+  CHECK(step_with({0x0F}, 21300, 22100).speech == spm::Speech::speak);
+}
+
 // ---- what to say
 
 TEST_CASE("settings come in the first answer and in every 49th after it", "[SB-0A.1][SB-0A.2]") {

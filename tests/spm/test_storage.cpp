@@ -159,6 +159,7 @@ struct Module {
     machine.reset_cause = cause;
     machine.eeprom = eeprom;
     machine.analog_raw.fill(512);
+    machine.analog_raw[static_cast<unsigned>(drivers::analog::Channel::brake_coils)] = 0;
     drivers::host::select(machine);
     firmware.start();
   }

@@ -88,6 +88,9 @@ void ModuleBench::pass(uint16_t microseconds) {
 }
 
 void ModuleBench::step() {
+  const uint16_t coils = static_cast<uint16_t>((out_.left_brake == spm::Brake::released ? 650U : 0U) +
+                                               (out_.right_brake == spm::Brake::released ? 650U : 0U));
+  in_.brake_coils = Milliamps(coils);
   out_ = spm_.step(in_, now_);
   if (out_.speech == spm::Speech::arm && in_.speaker == spm::Speaker::idle) {
     in_.speaker = spm::Speaker::armed;

@@ -119,6 +119,11 @@ TEST_CASE("Deeds on wire, ground and supply are done and told") {
   CHECK(hands.apply(scenario::Battery{22}) == "the batteries have 22V");
   bench.run(1ms);
   CHECK(bench.world.latest().chair.battery_volts == Approx(22).margin(0.1));
+  CHECK(hands.apply(Break{Damage::open_coil, Side::left}) == "the left park brake's wire is off");
+  CHECK(hands.apply(Break{Damage::shorted_coil, Side::right}) == "the right park brake's coil is shorted");
+  CHECK(hands.apply(Break{Damage::stuck_bridge, Side::right}) == "the right bridge is stuck: full voltage, forward");
+  CHECK(hands.apply(Break{Damage::open_motor, Side::left}) == "the left motor's wire is off");
+  CHECK(hands.apply(Break{Damage::open_motor, Side::left, false}) == "the left motor's wire is mended");
   CHECK(hands.apply(Reset::watchdog) == "the watchdog bites");
   CHECK(bench.world.board().statistics().resets == 1);
 }

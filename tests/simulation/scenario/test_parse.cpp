@@ -219,3 +219,27 @@ TEST_CASE("mistakes about remote, attendant control and programmer are named wit
   CHECK(complaints_about(head + "  - programer: clears\n") ==
         "file.yaml:3:5: unknown step 'programer' (did you mean 'programmer'?)");
 }
+
+TEST_CASE("a part of the chair is broken and mended on one side") {
+  const auto scenario = parse_scenario(head +
+                                           "  - fault: {stuck bridge: right}\n  - restore: {stuck bridge: right}\n"
+                                           "  - fault: {open brake coil: left}\n  - restore: cable\n",
+                                       "file.yaml");
+  const auto& broken = std::get<Break>(scenario.steps[0].action);
+  CHECK(broken.damage == Damage::stuck_bridge);
+  CHECK(broken.side == Side::right);
+  CHECK(broken.is_broken);
+  const auto& mended = std::get<Break>(scenario.steps[1].action);
+  CHECK(mended.damage == Damage::stuck_bridge);
+  CHECK(mended.side == Side::right);
+  CHECK_FALSE(mended.is_broken);
+  CHECK(std::get<Break>(scenario.steps[2].action).damage == Damage::open_coil);
+  CHECK(std::get<Break>(scenario.steps[2].action).side == Side::left);
+  CHECK(std::holds_alternative<MendCable>(scenario.steps[3].action));
+  CHECK(complaints_about(head + "  - fault: {open motor: both}\n") ==
+        "file.yaml:3:25: 'both' is not one of: left, right");
+  CHECK(complaints_about(head + "  - restore: {}\n") ==
+        "file.yaml:3:14: restore what? write 'restore: cable' or "
+        "'restore: {stuck bridge: right}'");
+  CHECK(complaints_about(head + "  - restore: bridge\n") == "file.yaml:3:14: 'bridge' is not one of: cable");
+}

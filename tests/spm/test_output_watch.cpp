@@ -1,0 +1,269 @@
+// Outputs against their currents (H-10, H-13): the watch by itself, then what the power module makes of it.
+#include "spm/output_watch.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/support/bench.hpp"
+
+namespace {
+
+using namespace spm;
+using namespace support;
+
+constexpr auto none = FaultSet();
+constexpr auto left_motor = FaultSet::of(Fault::left_motor);
+constexpr auto right_motor = FaultSet::of(Fault::right_motor);
+constexpr auto left_brake = FaultSet::of(Fault::left_brake);
+constexpr auto right_brake = FaultSet::of(Fault::right_brake);
+
+struct Rig {
+  OutputWatch watch;
+  Inputs in;
+  Outputs out;
+
+  Rig() { in.analog_ready = true; }
+
+  void release(bool left, bool right) {
+    out.left_brake = left ? Brake::released : Brake::engaged;
+    out.right_brake = right ? Brake::released : Brake::engaged;
+    out.bridge_enabled = left || right;
+  }
+  // So many looks at that current.
+  FaultSet motors(int left, int right, int looks) {
+    in.left_current = base::Milliamps(left);
+    in.right_current = base::Milliamps(right);
+    return read(looks);
+  }
+  FaultSet coils(int current, int looks) {
+    in.brake_coils = base::Milliamps(current);
+    return read(looks);
+  }
+  FaultSet read(int looks) {
+    for (int i = 0; i < looks; ++i) {
+      watch.step(in, out);
+    }
+    return watch.faults();
+  }
+};
+
+TEST_CASE("more than 5 A in four looks in a row while the bridge is off is a stuck output, in either direction",
+          "[H-10]") {
+  CHECK(Rig().motors(5000, -5000, 100) == none);
+  CHECK(Rig().motors(5001, 0, 3) == none);
+  CHECK(Rig().motors(5001, 0, 4) == left_motor);
+  CHECK(Rig().motors(-5001, 0, 4) == left_motor);
+  CHECK(Rig().motors(0, 5001, 4) == right_motor);
+  CHECK(Rig().motors(0, -5001, 4) == right_motor);
+  CHECK(Rig().motors(99000, -99000, 4) == (left_motor | right_motor));
+}
+
+TEST_CASE("one reading within the limit starts the four over, and what was found stays found", "[H-10]") {
+  Rig rig;
+  CHECK(rig.motors(6000, 0, 3) == none);
+  CHECK(rig.motors(5000, 0, 1) == none);
+  CHECK(rig.motors(6000, 0, 3) == none);
+  CHECK(rig.motors(6000, 0, 1) == left_motor);
+  CHECK(rig.watch.must_cut());
+  CHECK(rig.motors(0, 0, 1000) == left_motor);
+  CHECK(rig.motors(6000, 0, 1000) == left_motor);
+}
+
+TEST_CASE("while the bridge is on only what no motor draws is a stuck output", "[H-10]") {
+  const auto driven = [](int left, int right, int looks) {
+    Rig rig;
+    rig.release(true, true);
+    rig.in.brake_coils = base::Milliamps(1300);
+    return rig.motors(left, right, looks);
+  };
+  CHECK(driven(80000, -80000, 1000) == none);
+  CHECK(driven(80001, 0, 3) == none);
+  CHECK(driven(80001, 0, 4) == left_motor);
+  CHECK(driven(0, -80001, 4) == right_motor);
+}
+
+TEST_CASE("readings that are not real yet accuse nobody", "[H-10][H-13]") {
+  Rig rig;
+  rig.in.analog_ready = false;
+  rig.in.brake_coils = base::Milliamps(5000);
+  CHECK(rig.motors(90000, 90000, 1000) == none);
+}
+
+TEST_CASE("two coils draw between 1.5 coils and 2 A, for up to 9 looks in a row", "[H-13]") {
+  const auto both = [](int current, int looks) {
+    Rig rig;
+    rig.release(true, true);
+    return rig.coils(current, looks);
+  };
+  CHECK(both(975, 1000) == none);
+  CHECK(both(2000, 1000) == none);
+  CHECK(both(974, 9) == none);
+  CHECK(both(974, 10) == left_brake);
+  CHECK(both(2001, 9) == none);
+  CHECK(both(2001, 10) == left_brake);
+}
+
+TEST_CASE("coils that are off draw less than half of one", "[H-13]") {
+  CHECK(Rig().coils(325, 1000) == none);
+  CHECK(Rig().coils(326, 9) == none);
+  CHECK(Rig().coils(326, 10) == left_brake);
+}
+
+TEST_CASE("a coil that agrees once in between is not accused", "[H-13]") {
+  Rig rig;
+  rig.release(true, true);
+  rig.coils(650, 9);
+  rig.coils(1300, 1);
+  CHECK(rig.coils(650, 9) == none);
+}
+
+TEST_CASE("a release tells which coil is wrong: the left one is alone at first", "[H-13][SB-01.9]") {
+  const auto release = [](int alone, int both) {
+    Rig rig;
+    rig.release(true, false);
+    rig.coils(0, 1);  // read before
+    rig.coils(alone, 2);
+    rig.release(true, true);
+    rig.coils(alone, 1);  // read before
+    return rig.coils(both, 10);
+  };
+  CHECK(release(650, 1300) == none);
+  CHECK(release(0, 650) == left_brake);
+  CHECK(release(650, 650) == right_brake);
+  CHECK(release(0, 0) == left_brake);
+  CHECK(release(3000, 3650) == left_brake);
+  CHECK(release(650, 3650) == right_brake);
+}
+
+TEST_CASE("one coil alone draws between half of its current and 1 A", "[H-13]") {
+  const auto shorted = [](int alone) {
+    Rig rig;
+    rig.release(true, false);
+    rig.coils(alone, 3);
+    rig.release(true, true);
+    return rig.coils(2001, 10);
+  };
+  CHECK(shorted(325) == right_brake);
+  CHECK(shorted(324) == left_brake);
+  CHECK(shorted(1000) == right_brake);
+  CHECK(shorted(1001) == left_brake);
+}
+
+TEST_CASE("what goes wrong after a good release is shown as the left coil's", "[H-13]") {
+  Rig rig;
+  rig.release(true, false);
+  rig.coils(650, 3);
+  rig.release(true, true);
+  rig.coils(1300, 1);
+  CHECK(rig.coils(650, 10) == left_brake);
+}
+
+TEST_CASE("one fault of the brakes is named, the first", "[H-13]") {
+  Rig rig;
+  rig.release(true, false);
+  rig.coils(650, 3);
+  rig.release(true, true);
+  rig.coils(650, 10);
+  rig.release(false, false);
+  CHECK(rig.coils(650, 100) == right_brake);
+  CHECK_FALSE(rig.watch.must_cut());
+}
+
+// ---- the whole power module
+
+TEST_CASE("a stuck output switches relay and bridge off and brakes on at once, and is shown until power-down",
+          "[H-10][SB-01.9][SB-2.16]") {
+  Bench bench = Bench::driving();
+  REQUIRE(bench.left() == 16384);
+  bench.in.right_current = base::Milliamps(90000);
+  const Microseconds begin = bench.now();
+  while (!bench.is_still() && bench.now() - begin < 100000) {
+    bench.run_us(500);
+  }
+  CHECK(bench.now() - begin >= 30000);
+  CHECK(bench.now() - begin <= 42000);
+  CHECK(bench.is_braked());
+  CHECK_FALSE(bench.outputs().bridge_enabled);
+  CHECK_FALSE(bench.outputs().relay_closed);
+  bench.in.right_current = base::Milliamps(0);
+  bench.cycle(wire::at_rest, 100);
+  bench.cycle(wire::forward_fast, 100);
+  CHECK(bench.is_still());
+  CHECK(bench.is_braked());
+  CHECK_FALSE(bench.outputs().relay_closed);
+  CHECK(bench.system_state() == 4);
+  CHECK(bench.is_inhibit_shown());
+  CHECK(bench.is_limping());
+  CHECK(bench.has_event(EventCode::right_motor));
+  CHECK_FALSE(bench.has_event(EventCode::left_motor));
+}
+
+TEST_CASE("current in a motor of a chair at rest opens the relay", "[H-10][SB-01.9]") {
+  Bench bench = Bench::ready();
+  REQUIRE(bench.outputs().relay_closed);
+  bench.in.left_current = base::Milliamps(-6000);
+  bench.run_ms(29);
+  CHECK(bench.outputs().relay_closed);
+  bench.run_ms(13);
+  CHECK_FALSE(bench.outputs().relay_closed);
+  bench.in.left_current = base::Milliamps(0);
+  bench.cycle(wire::at_rest, 20);
+  CHECK_FALSE(bench.outputs().relay_closed);
+  CHECK(bench.system_state() == 3);
+  CHECK(bench.has_event(EventCode::left_motor));
+}
+
+TEST_CASE("a coil that is missing or shorted at a release never lets the chair pull away", "[H-13][SB-01.9]") {
+  struct Case {
+    std::int32_t left;
+    std::int32_t right;
+    unsigned state;
+    EventCode event;
+  };
+  for (const Case& one : {Case{0, 650, 5, EventCode::left_brake}, Case{650, 0, 6, EventCode::right_brake},
+                          Case{3000, 650, 5, EventCode::left_brake}, Case{650, 3000, 6, EventCode::right_brake}}) {
+    CAPTURE(one.left, one.right);
+    Bench bench = Bench::ready();
+    bench.left_coil = one.left;
+    bench.right_coil = one.right;
+    for (int i = 0; i < 100; ++i) {
+      bench.cycle(wire::forward_fast);
+      REQUIRE(bench.left() <= 16384 / 511);  // less than a step of duty
+    }
+    CHECK(bench.is_still());
+    CHECK(bench.is_braked());
+    CHECK_FALSE(bench.outputs().relay_closed);
+    CHECK(bench.system_state() == one.state);
+    CHECK(bench.has_event(one.event));
+    bench.left_coil = bench.right_coil = 650;
+    bench.cycle(wire::at_rest, 20);
+    bench.cycle(wire::forward_fast, 50);
+    CHECK(bench.is_still());
+    CHECK(bench.is_braked());
+  }
+}
+
+TEST_CASE("a coil that fails while driving stops the chair by a ramp", "[H-13][SB-2.17]") {
+  Bench bench = Bench::driving();
+  bench.left_coil = 0;
+  bench.cycle(wire::forward_fast, 4);
+  CHECK(bench.left() == 16384);
+  bench.cycle(wire::forward_fast, 2);
+  CHECK(bench.left() < 16384);
+  CHECK(bench.left() > 16384 - 40 * 14);  // 800 permille a second
+  bench.cycle(wire::forward_fast, 80);
+  CHECK(bench.is_still());
+  CHECK(bench.is_braked());
+  CHECK(bench.system_state() == 5);
+}
+
+TEST_CASE("a coil that is on though it should be off forbids to drive", "[H-12][H-13]") {
+  Bench bench = Bench::ready();
+  bench.stray_coil = 650;
+  bench.cycle(wire::at_rest, 6);
+  CHECK(bench.system_state() == 5);
+  bench.cycle(wire::forward_fast, 50);
+  CHECK(bench.is_still());
+  CHECK(bench.is_braked());
+}
+
+}  // namespace
