@@ -29,8 +29,7 @@ enum class EventCode : uint8_t {
   settings_copy_bad = 26,  // H-20: one of two; the other is used
   left_motor = 30,         // H-10
   right_motor = 31,        // H-10
-  left_brake = 32,         // H-13; also if it cannot be told which
-  right_brake = 33,        // H-13
+  brake = 32,              // H-13: either of them, the sensor is one
 };
 
 }  // namespace spm

@@ -26,8 +26,7 @@ extern constexpr Row fault_rows[fault_count] IN_FLASH = {
     row(Fault::internal,             0, Stops::until_power_down, Limps::until_power_down, State::power_module, EventCode::internal_fault),
     row(Fault::left_motor,           0, Stops::until_power_down, Limps::until_power_down, State::left_motor,   EventCode::left_motor),       // H-10
     row(Fault::right_motor,          0, Stops::until_power_down, Limps::until_power_down, State::right_motor,  EventCode::right_motor),      // H-10
-    row(Fault::left_brake,           0, Stops::until_power_down, Limps::until_power_down, State::left_brake,   EventCode::left_brake),       // H-13
-    row(Fault::right_brake,          0, Stops::until_power_down, Limps::until_power_down, State::right_brake,  EventCode::right_brake),      // H-13
+    row(Fault::brake,                0, Stops::until_power_down, Limps::until_power_down, State::left_brake,   EventCode::brake),            // H-13: one sensor, so either
     row(Fault::unexpected_start,     0, Stops::no,               Limps::until_power_down, State::power_module, EventCode::none),             // SB-3.9
     row(Fault::settings_lost,        0, Stops::no,               Limps::until_power_down, State::power_module, EventCode::settings_lost),    // H-20
     row(Fault::corrupt_packets,      0, Stops::until_link,       Limps::until_power_down, State::cable,        EventCode::corrupt_packets),  // SB-2.14

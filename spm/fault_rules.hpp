@@ -12,8 +12,7 @@ enum class Fault : uint8_t {
   internal,          // our own state made no sense
   left_motor,        // H-10
   right_motor,       // H-10
-  left_brake,        // H-13
-  right_brake,       // H-13
+  brake,             // H-13
   unexpected_start,  // SB-3.9
   settings_lost,     // H-20
   corrupt_packets,   // SB-2.14
@@ -26,7 +25,7 @@ enum class Fault : uint8_t {
   battery_flat,
   out_of_neutral,  // SB-01.8
 };
-constexpr uint8_t fault_count = 16;
+constexpr uint8_t fault_count = 15;
 
 using FaultSet = faults::Set<Fault>;
 

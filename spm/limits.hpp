@@ -56,8 +56,6 @@ constexpr Demand steepest_rise = Demand(66);  // zero to full speed in 248 ms
 constexpr Millis stale_general = 66_ms;  // SB-2.15 once more, for the gate: a general older than this is no command
 constexpr Demand limp_ceiling = Demand(8192);  // SB-2.16: no setting lets LIMP exceed half of full voltage
 
-constexpr Millis brake_stagger = 40_ms;  // H-13: from the left coil to the right one: three looks at it alone
-
 // Outputs against their currents, looked at with every house-keeping; the board reads each sensor twice as often.
 constexpr uint8_t motor_looks = 4;                  // H-10: in a row, so at least 30 ms
 constexpr Milliamps stray_motor_current = 5000_mA;  // H-10: of a motor whose bridge is off
@@ -65,7 +63,6 @@ constexpr Milliamps most_motor_current = 80000_mA;  // H-10: beyond its peak of 
 constexpr uint8_t coil_looks = 10;                  // H-13: in a row, so 100 ms and not more
 constexpr Milliamps half_a_coil = 325_mA;           // a coil draws 0.65 A
 constexpr Milliamps least_of_two_coils = 975_mA;    // one and a half
-constexpr Milliamps most_of_a_coil = 1000_mA;
 constexpr Milliamps most_of_two_coils = 2000_mA;
 
 // Reports

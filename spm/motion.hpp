@@ -37,8 +37,7 @@ class Motion {
   bool is_stick_at_rest() const { return is_at_rest(stick_, profile_); }
   // Ready for torque: the bus calls it driving (SB-01.4).
   bool is_driving() const { return park_brake_.allows_torque(); }
-  bool are_brakes_released() const { return park_brake_.is_released(); }  // one or both
-  bool are_both_brakes_released() const { return park_brake_.are_both_released(); }
+  bool are_brakes_released() const { return park_brake_.is_released(); }
   // As of the last general, or 0 as soon as the wheels get nothing (SB-01.7).
   uint8_t speedo() const { return speedo_; }
   // The gate was once handed nonsense.

@@ -1,11 +1,10 @@
 // Do motors and brake coils do what they are told? Compares their currents with the outputs of the moment (H-10, H-13).
 //
-// Goals: an output that is stuck, and a coil that is missing or shorted, are noticed; which side it is, if that can be
-// told. Assumptions: no reading is seen twice; the outputs are those of the pins.
-// Invariants: what was found stays found until the supply goes (SB-2.16); at most one fault of the brakes is named.
+// Goals: an output that is stuck, and a coil that is missing or shorted, are noticed.
+// Assumptions: no reading is seen twice; the outputs are those of the pins; both coils are switched together (H-12).
+// Invariants: what was found stays found until the supply goes (SB-2.16).
 //
-// Both coils share one sensor. The left one is switched on first, so a release tells which of them is wrong. What goes
-// wrong later is shown as the left one's; the next release after power-up tells.
+// Both coils share one sensor and are switched together, so which of them is wrong cannot be told.
 //
 // Not noticed: a motor without current. A chair that rolls downhill as fast as it is told has none either.
 #pragma once
@@ -29,14 +28,13 @@ class OutputWatch {
 
  private:
   void watch_motor(uint8_t& run, base::Milliamps current, base::Milliamps most, Fault fault);
-  void watch_coils(base::Milliamps current, bool is_left_on, bool is_right_on);
+  void watch_coils(base::Milliamps current, bool are_on);
 
   FaultSet faults_;
   bool must_cut_ = false;
   uint8_t left_run_ = 0;  // looks in a row with too much current
   uint8_t right_run_ = 0;
-  uint8_t coils_run_ = 0;        // looks in a row that disagree with the command
-  bool is_left_proven_ = false;  // alone it drew what it should, and both together have not yet
+  uint8_t coils_run_ = 0;  // looks in a row that disagree with the command
 };
 
 }  // namespace spm

@@ -1,21 +1,11 @@
 #include "spm/park_brake.hpp"
 
-#include "spm/limits.hpp"
-
 namespace spm {
 
 void ParkBrake::step(const Times& times, bool wants_motion, bool may_drive, bool is_demand_zero, base::Instant now) {
   switch (state_) {
     case State::engaged:
       if (wants_motion && may_drive) {
-        state_ = State::releasing_left;
-        since_ = now;
-      }
-      break;
-    case State::releasing_left:
-      if (!may_drive) {
-        state_ = State::engaged;
-      } else if (now - since_ >= limits::brake_stagger) {
         state_ = State::releasing;
         since_ = now;
       }

@@ -421,8 +421,7 @@ void Spm::move(Millis late, Instant now) {
   }
   outputs_.left = motion_.demand().left;
   outputs_.right = motion_.demand().right;
-  outputs_.left_brake = motion_.are_brakes_released() ? Brake::released : Brake::engaged;
-  outputs_.right_brake = motion_.are_both_brakes_released() ? Brake::released : Brake::engaged;
+  outputs_.left_brake = outputs_.right_brake = motion_.are_brakes_released() ? Brake::released : Brake::engaged;
   outputs_.bridge_enabled = motion_.are_brakes_released();
   outputs_.relay_closed = motion_.are_brakes_released() || leave.may_drive;
   outputs_.are_motors_as_before = false;

@@ -25,7 +25,6 @@ constexpr Time limp_ramp = 1500ms;        // from LIMP's cause to the cap
 
 // Brakes
 constexpr Time brake_release = 98ms;       // coil on to torque: 100 ms less two samples
-constexpr int brakes_apart = 42;           // samples: the right coil follows the left one within 40 ms
 constexpr Time brakes_after_stop = 250ms;  // SB-2.17
 constexpr Time brakes_at_rest = 850ms;     // engage time 800 ms and a margin
 

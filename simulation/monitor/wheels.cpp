@@ -78,10 +78,7 @@ void Wheels::take(const Pins& pins, Time now) {
   if (!are_both_released()) {
     braked_until_ = now;
   }
-  const bool is_first_alone = pins.left_brake_release && !pins.right_brake_release && is_zero();
-  lag_ = count_on(is_first_alone && (lag_ > 0 || has_begun_to_release()), lag_);
-  const bool may_lag = lag_ > 0 && lag_ <= limits::brakes_apart;
-  odds_ = count_on(pins.left_brake_release != pins.right_brake_release && !may_lag, odds_);
+  odds_ = count_on(pins.left_brake_release != pins.right_brake_release, odds_);
   braked_torque_ = count_on(!is_zero() && !are_both_released(), braked_torque_);
   loose_ = count_on(is_a_brake_released() && !(pins.bridge_enable && pins.motor_relay), loose_);
 }

@@ -37,8 +37,7 @@ class Wheels {
   Time zero_for() const { return at_ - zero_from_; }
   // Both, since the last sample that showed one engaged.
   Time released_for() const { return at_ - braked_until_; }
-  // Two samples in a row: longer than the order of writing pins explains. Not while they are let go, one
-  // after the other.
+  // Two samples in a row: longer than the order of writing pins explains.
   bool are_brakes_at_odds() const { return odds_ > 1; }
   bool is_braked_torque() const { return braked_torque_ > 1; }
   bool is_loose_brake() const { return loose_ > 1; }  // released without bridge and relay
@@ -68,7 +67,6 @@ class Wheels {
   Time still_from_{};
   Time braked_until_{};
   int odds_ = 0;  // samples in a row
-  int lag_ = 0;   // of the right brake while both are let go; left out of `odds_` as long as it may last
   int braked_torque_ = 0;
   int loose_ = 0;
 };

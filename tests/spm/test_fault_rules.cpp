@@ -24,8 +24,7 @@ const Expected expected[] = {
     {Fault::unexpected_start, Stops::no, Limps::until_power_down, 8, 0, EventCode::none},
     {Fault::left_motor, Stops::until_power_down, Limps::until_power_down, 3, 0, EventCode::left_motor},
     {Fault::right_motor, Stops::until_power_down, Limps::until_power_down, 4, 0, EventCode::right_motor},
-    {Fault::left_brake, Stops::until_power_down, Limps::until_power_down, 5, 0, EventCode::left_brake},
-    {Fault::right_brake, Stops::until_power_down, Limps::until_power_down, 6, 0, EventCode::right_brake},
+    {Fault::brake, Stops::until_power_down, Limps::until_power_down, 5, 0, EventCode::brake},
     {Fault::settings_lost, Stops::no, Limps::until_power_down, 8, 0, EventCode::settings_lost},
     {Fault::corrupt_packets, Stops::until_link, Limps::until_power_down, 9, 0, EventCode::corrupt_packets},
     {Fault::general_missing, Stops::until_link, Limps::until_power_down, 9, 0, EventCode::general_missing},
@@ -60,8 +59,8 @@ TEST_CASE("what the module itself has wrong is shown before the bus, the bus bef
           "[SB-01.9]") {
   const auto place = [](Fault fault) { return static_cast<int>(fault); };
   CHECK(place(Fault::internal) < place(Fault::left_motor));
-  CHECK(place(Fault::right_motor) < place(Fault::left_brake));
-  CHECK(place(Fault::right_brake) < place(Fault::corrupt_packets));
+  CHECK(place(Fault::right_motor) < place(Fault::brake));
+  CHECK(place(Fault::brake) < place(Fault::corrupt_packets));
   CHECK(place(Fault::corrupt_packets) < place(Fault::joystick_error));
   CHECK(place(Fault::general_missing) < place(Fault::joystick_error));
   CHECK(place(Fault::remote_limps) < place(Fault::battery_flat));

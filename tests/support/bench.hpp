@@ -260,7 +260,9 @@ class Bench {
     if (!is_still() && !(outputs_.bridge_enabled && outputs_.relay_closed)) {
       FAIL("demand without a bridge (H-01)");
     }
-    watch_brakes(before);
+    if (outputs_.left_brake != outputs_.right_brake) {
+      FAIL("one brake without the other (H-12)");
+    }
     if (is_off() && (!is_still() || !is_braked())) {
       FAIL("the latch let go of a chair that was not at rest (H-14)");
     }
@@ -272,21 +274,6 @@ class Bench {
     }
     watch_wheel(before.left.count(), left(), left_past_);
     watch_wheel(before.right.count(), right(), right_past_);
-  }
-
-  // Off together; the right one is let go 40 ms after the left one, unless the loop stood still.
-  void watch_brakes(const spm::Outputs& before) {
-    const bool is_left = outputs_.left_brake == spm::Brake::released;
-    const bool is_right = outputs_.right_brake == spm::Brake::released;
-    if (!is_left || is_right) {
-      left_alone_since_ = now_;
-    }
-    if (is_right && !is_left) {
-      FAIL("the right brake without the left one (H-12)");
-    }
-    if (is_left && !is_right && (before.right_brake == spm::Brake::released || now_ - left_alone_since_ > 42000)) {
-      FAIL("one brake without the other (H-12)");
-    }
   }
 
   bool has_same_motors(const spm::Outputs& before) const {
@@ -332,7 +319,6 @@ class Bench {
   bool is_armed_ = false;
   Bytes waiting_;
   Microseconds speaking_until_ = 0;
-  Microseconds left_alone_since_ = 0;
   std::vector<Spoken> turns_;
   std::deque<std::pair<Microseconds, int>> left_past_;  // when each demand of the last 20 ms began
   std::deque<std::pair<Microseconds, int>> right_past_;

@@ -105,22 +105,6 @@ TEST_CASE("H-12.2: one brake switches later than the other", "[monitor][H-12]") 
   CHECK(breaches(1ms) == "");
 }
 
-TEST_CASE("H-12.2: the right brake is let go after the left one, not much later and not before it", "[monitor][H-12]") {
-  const auto breaches = [](bool Pins::*first, Time apart) {
-    Stage stage;
-    stage.wake_up();
-    stage.pins.bridge_enable = stage.pins.motor_relay = true;
-    stage.cycle(sr::forward, spm::ready);
-    stage.pins.*first = true;
-    stage.later(apart + 1ms, [&] { stage.brakes(true); });
-    stage.cycles(3, sr::forward, spm::ready);
-    return stage.breaches();
-  };
-  CHECK(breaches(&Pins::left_brake_release, 43ms) == "");
-  CHECK(is_caught(breaches(&Pins::left_brake_release, 44ms), "H-12.2"));
-  CHECK(is_caught(breaches(&Pins::right_brake_release, 2ms), "H-12.2"));
-}
-
 TEST_CASE("H-12.3: brakes are released without bridge or relay", "[monitor][H-12]") {
   const auto breaches = [](bool Pins::*pin, Time span) {
     Stage stage = ready_to_roll();
