@@ -23,9 +23,11 @@ struct Summary {
   uint8_t system_state = 0;
 };
 
-template <typename Fault, uint8_t row_count>
+template <typename Fault, uint8_t row_count, typename Bits = uint16_t>
 class Manager {
  public:
+  using Faults = Set<Fault, Bits>;
+
   constexpr Manager()
       : present_(),
         counted_(),
@@ -39,8 +41,8 @@ class Manager {
 
   // `present` are the conditions that hold now; `is_link_up` whether communication is (re-)established.
   // Returns the faults that began to count with this call, for the log.
-  Set<Fault> update(const Row (&rows)[row_count], Set<Fault> present, bool is_link_up, base::Instant now) {
-    begun_ = Set<Fault>();
+  Faults update(const Row (&rows)[row_count], Faults present, bool is_link_up, base::Instant now) {
+    begun_ = Faults();
     if (present != present_ || is_pending_ || is_link_up != was_link_up_) {
       walk(rows, present, is_link_up, now);
     }
@@ -48,22 +50,22 @@ class Manager {
   }
 
   // Whether update() would find a condition that was not there before.
-  bool are_new(Set<Fault> present) const { return !present.without(present_).empty(); }
+  bool are_new(Faults present) const { return !present.without(present_).empty(); }
 
   const Summary& summary() const { return summary_; }
   // Conditions that hold and have outlasted their debounce.
-  Set<Fault> active() const { return counted_; }
+  Faults active() const { return counted_; }
   // Faults that stop the chair, or make it limp, right now: present or latched.
-  Set<Fault> stopping() const { return stopping_; }
-  Set<Fault> limping() const { return limping_; }
+  Faults stopping() const { return stopping_; }
+  Faults limping() const { return limping_; }
 
  private:
-  void walk(const Row (&rows)[row_count], Set<Fault> present, bool is_link_up, base::Instant now) {
+  void walk(const Row (&rows)[row_count], Faults present, bool is_link_up, base::Instant now) {
     Summary sum;
     is_pending_ = false;
     // The other rows neither do anything nor begin to.
-    Set<Fault> concerned = present | counted_ | stopping_ | limping_;
-    Set<Fault> fault = Set<Fault>::first();
+    Faults concerned = present | counted_ | stopping_ | limping_;
+    Faults fault = Faults::first();
     for (uint8_t i = 0; i < row_count && !concerned.empty(); ++i, fault = fault.next()) {
       if (!concerned.has(fault)) {
         continue;
@@ -84,7 +86,7 @@ class Manager {
   }
 
   // For a condition that is present.
-  bool outlasts_debounce(const Row& row, Set<Fault> fault, base::Instant now) {
+  bool outlasts_debounce(const Row& row, Faults fault, base::Instant now) {
     if (counted_.has(fault)) {
       return true;
     }
@@ -126,7 +128,7 @@ class Manager {
     return true;
   }
 
-  void add_up(const Row& row, Stops stops, Set<Fault> fault, Summary& sum) const {
+  void add_up(const Row& row, Stops stops, Faults fault, Summary& sum) const {
     const bool is_stopping = stopping_.has(fault);
     const bool is_limping = limping_.has(fault);
     sum.must_stop = sum.must_stop || is_stopping;
@@ -137,11 +139,11 @@ class Manager {
     }
   }
 
-  Set<Fault> present_;
-  Set<Fault> counted_;
-  Set<Fault> stopping_;
-  Set<Fault> limping_;
-  Set<Fault> begun_;
+  Faults present_;
+  Faults counted_;
+  Faults stopping_;
+  Faults limping_;
+  Faults begun_;
   base::Array<base::Instant, row_count> since_;  // when a debounced condition was first present
   Summary summary_;
   bool is_pending_;  // a debounce is running

@@ -1,15 +1,16 @@
-// A set of the values of one enum, as bits. The enum's values count up from 0 and stay below 16. Questions about one
-// item are always inlined: with the item known they are a bit operation, where an AVR would otherwise shift in a loop.
+// A set of the values of one enum, as bits. The enum's values count up from 0 and stay below the number of bits. Questions
+// about one item are always inlined: with the item known they are a bit operation, where an AVR would otherwise shift in a
+// loop.
 #pragma once
 
 #include <stdint.h>
 
 namespace faults {
 
-template <typename Item>
+template <typename Item, typename BitsOf = uint16_t>
 class Set {
  public:
-  using Bits = uint16_t;
+  using Bits = BitsOf;
 
   constexpr Set() : bits_(0) {}
 

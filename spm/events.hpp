@@ -30,6 +30,15 @@ enum class EventCode : uint8_t {
   left_motor = 30,         // H-10
   right_motor = 31,        // H-10
   brake = 32,              // H-13: either of them, the sensor is one
+  self_test_failed = 33,   // H-27; argument: 1 flash at start, 2 RAM at start, 3 flash later
+  restart_loop = 34,       // H-25
+  battery_low = 35,        // H-26
+  over_voltage = 36,       // H-26
+  stalled = 37,            // H-31
+  clock_differs = 38,      // H-24: milliseconds and microseconds do not agree
+  upset_found = 39,        // H-27: a value and its complement do not agree; argument: whose
+  transmitter_hung = 40,   // H-30
+  stack_overrun = 41,      // H-22
 };
 
 }  // namespace spm

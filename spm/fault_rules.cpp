@@ -24,6 +24,8 @@ constexpr Row row(Fault fault, uint16_t debounce_ms, Stops stops, Limps limps, S
 extern constexpr Row fault_rows[fault_count] IN_FLASH = {
     //  condition               for ms  stops                    limps                    shows                event
     row(Fault::internal,             0, Stops::until_power_down, Limps::until_power_down, State::power_module, EventCode::internal_fault),
+    row(Fault::self_test,            0, Stops::until_power_down, Limps::until_power_down, State::power_module, EventCode::self_test_failed), // H-27
+    row(Fault::restart_loop,         0, Stops::until_power_down, Limps::until_power_down, State::power_module, EventCode::restart_loop),     // H-25
     row(Fault::left_motor,           0, Stops::until_power_down, Limps::until_power_down, State::left_motor,   EventCode::left_motor),       // H-10
     row(Fault::right_motor,          0, Stops::until_power_down, Limps::until_power_down, State::right_motor,  EventCode::right_motor),      // H-10
     row(Fault::brake,                0, Stops::until_power_down, Limps::until_power_down, State::left_brake,   EventCode::brake),            // H-13: one sensor, so either
@@ -37,6 +39,9 @@ extern constexpr Row fault_rows[fault_count] IN_FLASH = {
     row(Fault::pot_error,            0, Stops::no,               Limps::until_power_down, State::remote,       EventCode::pot_error),        // SB-00.6
     row(Fault::remote_limps,         0, Stops::no,               Limps::while_present,    State::remote,       EventCode::remote_limps),     // SB-00.6
     row(Fault::battery_flat,      2000, Stops::while_present,    Limps::no,               State::battery,      EventCode::battery_flat),
+    row(Fault::battery_low,       1000, Stops::no,               Limps::no,               State::battery,      EventCode::battery_low),      // H-26
+    row(Fault::over_voltage,         0, Stops::no,               Limps::no,               State::battery,      EventCode::over_voltage),     // H-26
+    row(Fault::stalled,              0, Stops::while_present,    Limps::no,               State::user,         EventCode::stalled),          // H-31
     row(Fault::out_of_neutral,       0, Stops::no,               Limps::no,               State::user,         EventCode::out_of_neutral),   // SB-01.8
 };
 // clang-format on

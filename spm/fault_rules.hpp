@@ -10,6 +10,8 @@ namespace spm {
 
 enum class Fault : uint8_t {
   internal,          // our own state made no sense
+  self_test,         // H-27: flash or RAM is not what it should be
+  restart_loop,      // H-25: too many unexpected starts in a short time
   left_motor,        // H-10
   right_motor,       // H-10
   brake,             // H-13
@@ -23,11 +25,15 @@ enum class Fault : uint8_t {
   pot_error,         // SB-00.6
   remote_limps,      // SB-00.6
   battery_flat,
+  battery_low,     // H-26: slower before it is flat
+  over_voltage,    // H-26: braking feeds a full battery
+  stalled,         // H-31: too much current for too long
   out_of_neutral,  // SB-01.8
 };
-constexpr uint8_t fault_count = 15;
+constexpr uint8_t fault_count = 20;
 
-using FaultSet = faults::Set<Fault>;
+using FaultBits = uint32_t;
+using FaultSet = faults::Set<Fault, FaultBits>;
 
 extern const faults::Row fault_rows[fault_count];
 

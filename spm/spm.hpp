@@ -126,7 +126,7 @@ class Spm {
   base::Instant settings_at_;   // when the last one was said
   bool are_settings_due_ = false;
 
-  faults::Manager<Fault, fault_count> faults_;
+  faults::Manager<Fault, fault_count, FaultBits> faults_;
   FaultSet unlogged_;                                          // begun, not yet in the log: an answer went first
   bool is_stopping_ = false;                                   // an emergency stop is on its way (SB-2.17)
   Inhibits inhibits_ = Inhibits::of(Inhibit::no_general_yet);  // never empty before it has been weighed

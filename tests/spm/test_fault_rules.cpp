@@ -36,6 +36,11 @@ const Expected expected[] = {
     {Fault::battery_flat, Stops::while_present, Limps::no, 2, 2000, EventCode::battery_flat},
     {Fault::out_of_neutral, Stops::no, Limps::no, 1, 0, EventCode::out_of_neutral},
     {Fault::internal, Stops::until_power_down, Limps::until_power_down, 8, 0, EventCode::internal_fault},
+    {Fault::self_test, Stops::until_power_down, Limps::until_power_down, 8, 0, EventCode::self_test_failed},
+    {Fault::restart_loop, Stops::until_power_down, Limps::until_power_down, 8, 0, EventCode::restart_loop},
+    {Fault::battery_low, Stops::no, Limps::no, 2, 1000, EventCode::battery_low},
+    {Fault::over_voltage, Stops::no, Limps::no, 2, 0, EventCode::over_voltage},
+    {Fault::stalled, Stops::while_present, Limps::no, 1, 0, EventCode::stalled},
 };
 
 TEST_CASE("each fault does to the chair, shows and logs what the requirements say",
