@@ -35,6 +35,9 @@ constexpr Micros latest_after_silence = 4500_us;  // SB-2.12
 // Neutral
 constexpr uint8_t neutral_proof = 5;  // SB-01.8: generals in a row
 
+// H-06: generals in a row without the remote's non-critical fault that end its LIMP (SB-00.6)
+constexpr uint8_t healthy_proof = 5;
+
 // Speed
 constexpr bus::shark::PotReading pot_in_error = bus::shark::PotReading(128);  // SB-00.6: mid-range
 

@@ -196,6 +196,11 @@ void Spm::take_general(const Frame& frame, const Inputs& in, Stamp at, Instant n
   general_at_ = now;
   const PotReading pot = general_.pot_error ? limits::pot_in_error : general_.pot;  // SB-00.6
   motion_.command(Stick{general_.speed, general_.direction, pot});
+  if (general_.non_critical_fault) {
+    healthy_generals_ = 0;
+  } else if (healthy_generals_ < limits::healthy_proof) {
+    ++healthy_generals_;
+  }
 
   link_.message(now, at);
   const bool is_resting = motion_.is_stick_at_rest();
@@ -295,7 +300,7 @@ FaultSet Spm::present_faults(const Inputs& in) const {
   present.put(Fault::joystick_error, general_.joystick_error);
   present.put(Fault::remote_fault, general_.local_fault);
   present.put(Fault::pot_error, general_.pot_error);
-  present.put(Fault::remote_limps, general_.non_critical_fault);
+  present.put(Fault::remote_limps, healthy_generals_ < limits::healthy_proof);  // H-06
   present.put(Fault::battery_flat, in.analog_ready && in.battery < Millivolts(settings_[Setting::battery_cutoff]));
   present.put(Fault::out_of_neutral, neutral_.is_violated());
   return present | output_watch_.faults();  // last: what begins empty costs less

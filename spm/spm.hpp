@@ -122,6 +122,7 @@ class Spm {
   bool has_restarted_ = false;  // SB-3.4, until the fault rows have seen it
   OperatingMode mode_;
   Neutral neutral_;
+  uint8_t healthy_generals_ = limits::healthy_proof;  // in a row, without the remote's non-critical fault
   uint8_t until_settings_ = 0;  // generals until the next settings packet
   base::Instant settings_at_;   // when the last one was said
   bool are_settings_due_ = false;
