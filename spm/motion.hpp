@@ -42,10 +42,18 @@ class Motion {
   uint8_t speedo() const { return speedo_; }
   // The gate was once handed nonsense.
   bool has_refused() const { return gate_.has_refused(); }
+  // Something that commands motion has changed in memory by itself; it has been mended (H-27).
+  bool has_mended() const { return has_mended_ || park_brake_.has_mended(); }
+  // Whether what configure() made of the settings still is what it was (H-27).
+  bool is_configuration_intact() const { return sum_of_configuration() == configuration_sum_; }
 
  private:
+  void mend();
+  uint16_t sum_of_configuration() const;
+
   DriveProfile profile_ = {};
   ParkBrake::Times brake_times_ = {};
+  uint16_t configuration_sum_ = 0;
   Stick stick_;
   Command command_;
   bool is_command_stale_ = true;
@@ -53,7 +61,8 @@ class Motion {
   Ramps ramps_;
   ParkBrake park_brake_;
   DriveGate gate_;
-  Wheels granted_;
+  Wheels granted_;  // as the gate and the ramps remember it, too
+  bool has_mended_ = false;
   uint8_t speedo_ = 0;
 };
 
