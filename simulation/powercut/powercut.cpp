@@ -31,6 +31,10 @@ constexpr std::size_t first_value = 4;
 // The EEPROM file that the build puts beside the image.
 Layout read_layout(const std::string& image) {
   const std::string file = std::filesystem::path(image).replace_extension(".eep").string();
+  if (!std::filesystem::exists(file)) {
+    throw std::runtime_error("no file at '" + file +
+                             "', which the build leaves beside the image; it tells how settings lie");
+  }
   const Bytes contents = eeprom::load_file(file);
   const Layout layout{contents[1], contents[2], {}};
   const auto values = eeprom::values_in_force(contents, layout.version, layout.count);
@@ -95,7 +99,7 @@ struct Tally {
 class Campaign {
  public:
   explicit Campaign(const Order& order)
-      : order_(order), layout_(read_layout(order.image)), module_(order.image), random_(order.seed) {
+      : order_(order), module_(order.image), layout_(read_layout(order.image)), random_(order.seed) {
     stale_ = all_different(layout_);
     old_ = some_different(layout_, 60, 3, 20);
     other_ = some_different(layout_, 41, 7, 51);
@@ -333,8 +337,8 @@ class Campaign {
   }
 
   const Order& order_;
-  Layout layout_;
   Module module_;
+  Layout layout_;
   Random random_;
   Bytes stale_;
   Bytes old_;

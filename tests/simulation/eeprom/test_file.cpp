@@ -29,9 +29,10 @@ Bytes load(const std::string& text) {
 }  // namespace
 
 TEST_CASE("Intel HEX is read, and what it does not hold is erased") {
-  const Bytes contents = load(":040800000102030AE4\r\n:0210000011\x32\x32" "BB\n:00000001FF\n");
+  const Bytes contents = load(":040800000102030AE4\r\n:020010001122BB\n:00000001FF\n");
   REQUIRE(contents.size() == 4096);
   CHECK(Bytes(contents.begin() + 2048, contents.begin() + 2053) == Bytes{1, 2, 3, 10, 0xFF});
+  CHECK(contents[0x10] == 0x11);
   CHECK(contents[0] == 0xFF);
 }
 

@@ -1,6 +1,7 @@
 // The EEPROM's layout as the simulation reads it: literal bytes, worked out by hand from docs/architecture.md.
 #include "simulation/eeprom/layout.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 namespace simulation::eeprom {
@@ -15,7 +16,7 @@ void put(Bytes& contents, std::size_t at, const Bytes& bytes) {
 }
 
 // Mark, version 2, one value, sequence 7, 30; CRC-16/CCITT-FALSE over 02 01 07 1E 00.
-const Bytes one_value{0x00, 0x02, 0x01, 0x07, 0x1E, 0x00, 0x13, 0x03};
+const Bytes one_value{0x00, 0x02, 0x01, 0x07, 0x1E, 0x00, 0xD7, 0x86};
 
 }  // namespace
 
@@ -53,7 +54,7 @@ TEST_CASE("of two sound copies the newer one is in force, of one sound copy that
 TEST_CASE("a record of the log is read as it lies there", "[H-20]") {
   Bytes contents = erased();
   // watchdog start, lap 1, 2 s, start 3; CRC-8 with polynomial 0x07
-  put(contents, 2048 + 8 * 5, {0x01, 0x01, 0x01, 0x02, 0x00, 0x03, 0x00, 0x37});
+  put(contents, 2048 + 8 * 5, {0x01, 0x01, 0x01, 0x02, 0x00, 0x03, 0x00, 0x87});
   const auto record = read_record(contents, 5);
   REQUIRE(record);
   CHECK(record->code == 1);
