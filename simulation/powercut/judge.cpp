@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace simulation::powercut {
 namespace {
@@ -102,6 +103,24 @@ std::string judge_defaults(const Scene& scene, const Layout& layout, const Bytes
 
 }  // namespace
 
+std::string judge_order(const std::vector<EepromWrite>& writes) {
+  std::map<std::size_t, std::vector<EepromWrite>> by_first_byte;
+  for (const EepromWrite& write : writes) {
+    const std::size_t unit = write.address < eeprom::place_at(0) ? eeprom::copy_at(1) : eeprom::record_size;
+    by_first_byte[write.address / unit * unit].push_back(write);
+  }
+  for (const auto& [first_byte, some] : by_first_byte) {
+    const auto is_first_byte = [at = first_byte](const EepromWrite& write) { return write.address == at; };
+    const bool goes_first = some.size() == 1 || !is_first_byte(some.front()) || some.front().after == 0xFF;
+    const bool comes_last = is_first_byte(some.back()) && some.back().before == 0xFF;
+    const bool stays_away = some.size() < 3 || std::none_of(some.begin() + 1, some.end() - 1, is_first_byte);
+    if (!goes_first || !comes_last || !stays_away) {
+      return fmt::format("what begins at address {} is not written in the order that was promised", first_byte);
+    }
+  }
+  return "";
+}
+
 std::string judge_log_after_cut(const Scene& scene, const Bytes& after) {
   return judge_places(scene, after, new_records(scene, after).size() + 1);
 }
@@ -120,6 +139,9 @@ std::string judge_log(const Scene& scene, const Bytes& after) {
   for (const eeprom::Record& record : records) {
     if (record.code != started && record.code != settings_lost && record.code != settings_copy_bad) {
       return fmt::format("the log tells of something else: event {}", record.code);
+    }
+    if (record.code == settings_copy_bad && !scene.may_tell_bad_copy) {
+      return "the log tells of a bad copy, and there was none";
     }
     if (record.starts > begin->starts) {
       return "the log's starts are out of order";

@@ -31,9 +31,12 @@ struct Scene {
   std::vector<eeprom::Bytes> allowed;  // in force
   std::vector<eeprom::Bytes> stale;    // not in force, but may still stand in a copy
   std::size_t next_place = 0;          // of the log, where the next record goes
+  bool may_tell_bad_copy = false;      // whether an event may say so; a copy that was never finished is not bad
 };
 
 // Each is empty if all is well, and says otherwise what is wrong.
+// H-20: in each copy and in each record the first byte goes first and becomes FF, and comes back last of all.
+std::string judge_order(const std::vector<EepromWrite>& writes);
 // H-20: in the log, the places from `next_place` on hold new records, and at most one behind them is torn.
 std::string judge_log_after_cut(const Scene& scene, const eeprom::Bytes& after);
 // H-20, SB-3.9: as above, none torn, and this start is the newest that is told.
