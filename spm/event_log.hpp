@@ -15,8 +15,8 @@
 // its newest; events wait until then, 128 ms.
 //
 // How long it lasts: a cell stands 100,000 writes, and a record writes its first byte twice, so the ring stands 50,000
-// laps. 5 power cycles a day, three events each (started, power-down asked, powered down), and 10 others are 25 records
-// a day and a lap in ten days: 1400 years. A fault that chatters is written once a minute: 24 years without a pause.
+// laps. `pilotfish powercut` says how many years that is in use; a fault that chatters without a pause is written once a
+// minute, which is 24 years.
 //
 // Values only: whoever steps it reads and writes the EEPROM.
 #pragma once

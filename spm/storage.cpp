@@ -22,7 +22,8 @@ bool Storage::store(const Settings& settings) {
 }
 
 // Whatever was being written goes to the same copy, which is not in use: it may be begun anew at any byte.
-void Storage::begin(const Settings& settings) {
+// Not inlined: the compiler would pay for it with registers of the loop.
+__attribute__((noinline)) void Storage::begin(const Settings& settings) {
   is_repairing_ = false;
   block_ = make_settings_block(settings, static_cast<uint8_t>(sequence_ + 1U));
   written_ = 0;
