@@ -151,7 +151,7 @@ TEST_CASE("a copy that is bad, torn or not there is written anew from the other"
     CHECK(module.storage.is_storing());
     CHECK_FALSE(module.loaded.is_lost);
     const auto writes = module.write_all(eeprom);
-    REQUIRE(writes.size() == 55);
+    REQUIRE(writes.size() == spm::settings_size + 1U);
     CHECK(writes.front().address == 128 * rewritten);
     CHECK(writes.front().value == 0xFF);
     CHECK(eeprom[4] == eeprom[132]);      // deadband
@@ -165,7 +165,7 @@ TEST_CASE("a copy that is bad, torn or not there is written anew from the other"
 }
 
 TEST_CASE("settings that are stored while a copy is written anew go first, and are whole", "[H-20]") {
-  for (int bytes = 0; bytes < 55; ++bytes) {
+  for (int bytes = 0; bytes <= spm::settings_size; ++bytes) {
     Eeprom eeprom = erased_eeprom();
     store(eeprom, settings_with(41, 25001));
     Started module(eeprom);
@@ -286,7 +286,7 @@ TEST_CASE("one bad copy is logged and nothing more; two are settings lost, and L
   one.run_ms(300);
   CHECK(one.firmware.core().settings()[Setting::deadband] == 56);
   CHECK_FALSE(one.firmware.core().faults().is_limping);
-  one.run_ms(220);  // the copy goes first
+  one.run_ms(280);  // the copy goes first
   CHECK(int(one.machine.eeprom[4]) == 56);
   CHECK(one.record(0)[0] == 1);
   CHECK(one.record(1)[0] == 26);
