@@ -37,7 +37,7 @@ constexpr const char* examples = R"(Examples
       the words of the scenario language, with units and examples
 
 Exit codes
-  0  everything as expected    1  an expectation or a target was not met, or the machines disagree
+  0  everything as expected    1  an expectation or a target was not met, a case is not safe, or the machines disagree
   2  a file or the command line is wrong    3  the simulation itself failed)";
 
 // Beside this program, where the build puts the image: build/pilotfish and build/firmware/spm.elf.

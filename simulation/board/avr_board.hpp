@@ -31,8 +31,8 @@ class AvrBoard : public SpmBoard {
   // The lowest address that the stack has reached since power-on, found by the garbage it has overwritten.
   // Nothing without symbols.
   virtual std::optional<std::uint16_t> stack_low_water() const = 0;
-  // The byte that is being written into the EEPROM at this moment, and a supply that fails at this moment and leaves that
-  // byte as `left`: what a cell holds after half an erase or half a write, nobody promises.
+  // The byte that is being written into the EEPROM at this moment; and a supply that fails at this moment and leaves
+  // that byte as `left`: what a cell holds after half an erase or half a write, nobody promises.
   virtual std::optional<EepromWrite> eeprom_write() const = 0;
   virtual void cut_power(std::uint8_t left, Time now) = 0;
 
