@@ -48,12 +48,17 @@ TEST_CASE("every stick position comes to the same wheels on the chip as on the h
   CHECK(compare({false, 0, 1}, PILOTFISH_TEST_FIRMWARE_DIR) == 1048576);
 }
 
+TEST_CASE("every stick position is the same on the chip at both ends of the pot, in LIMP and without", "[H-11]") {
+  const int pot = GENERATE(0, 255);
+  CHECK(compare({true, static_cast<std::uint8_t>(pot), 1}, PILOTFISH_TEST_FIRMWARE_DIR) == 2097152);
+}
+
 TEST_CASE("every eighth row of stick positions overflows nothing on the chip", "[H-11]") {
   CHECK(compare({false, 0, 8}, PILOTFISH_TRAPS_DIR) == 131072);
 }
 
 // The long form: build/avr_tests "[campaign]"
-TEST_CASE("every stick position at every sixteenth pot is the same on the chip", "[.][campaign]") {
+TEST_CASE("every stick position at every fifteenth pot is the same on the chip", "[.][campaign]") {
   const int pot = GENERATE(range(0, 256, 15));
   CAPTURE(pot);
   CHECK(compare({true, static_cast<std::uint8_t>(pot), 1}, PILOTFISH_TEST_FIRMWARE_DIR) == 2097152);
