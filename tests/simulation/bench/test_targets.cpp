@@ -30,7 +30,7 @@ NoiseFigures good_noise(const std::string& name) {
   run.seconds = 3;
   run.load = 0.599;
   run.ticks = 3001;
-  run.answer = {149, 0, 10, 50};
+  run.answer = {149, 0, 10, 100};
   run.stop_begins_ms = 63;
   run.stop_lasts_ms = 1500;
   run.is_back = true;
@@ -89,7 +89,7 @@ TEST_CASE("each number beside noise that is just too bad is named", "[H-23]") {
     CHECK(missed(figures) == "emergency stop ends, noise in the gaps; ");
   }
   SECTION("a late answer") {
-    gaps.answer.most = 50.1;
+    gaps.answer.most = 100.1;
     CHECK(missed(figures) == "answer, noise in the gaps; ");
   }
   SECTION("two turns without an answer") {
