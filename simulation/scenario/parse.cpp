@@ -85,7 +85,8 @@ std::vector<std::string> parse_clauses(const YAML::Node& node, Problems& problem
   auto clauses = read_texts(node, problems);
   for (const std::string& clause : clauses) {
     if (!std::regex_match(clause, shape)) {
-      problems.add(node, fmt::format("'{}' is neither a clause's id such as SB-2.15 nor a hazard's such as H-04", clause));
+      problems.add(node,
+                   fmt::format("'{}' is neither a clause's id such as SB-2.15 nor a hazard's such as H-04", clause));
     }
   }
   return clauses;
