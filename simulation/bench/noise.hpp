@@ -8,7 +8,7 @@
 
 namespace simulation::bench {
 
-// Simulated minutes of noise of each kind, beginning while the chair drives.
+// Simulated minutes of noise in the gaps, 4 s of the other kinds, beginning while the chair drives.
 std::vector<NoiseFigures> measure_noise(const std::string& image, double minutes);
 
 }  // namespace simulation::bench

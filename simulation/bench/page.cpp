@@ -296,8 +296,9 @@ matters here: on silicon the transmitter starts up to one bit (26 us) later.
 - **heaviest**: everybody's longest turn every 20 ms. The remote: general, 8 characters from the programmer, calibration.
   The power module: general and 8 characters back, once a second the settings as well. The attendant control: general
   and calibration. The driver drives as before.
-- **noise**: somebody babbles beside the idle traffic, while the chair drives. A third of the time above, for each of
-  three kinds.
+- **noise**: somebody babbles beside the idle traffic, while the chair drives. In the gaps
+  for a third of the time above; where nothing of the remote comes through for 4 s, as the module switches itself off after
+  5 s without it.
 
 )";
 
