@@ -259,3 +259,16 @@ TEST_CASE("a garbled general raises the speed by one cycle's ramp at most", "[H-
   };
   for_each_garbling(creeping, slow, rises_little, 3);
 }
+
+TEST_CASE("no garbled general ends the LIMP of the remote's non-critical fault", "[H-06][H-07][SB-00.6]") {
+  const Bytes limping = sr_general(SrWords{1023, 512, 255, 0, 0, 0x20});
+  Bench begin = Bench::ready();
+  begin.cycle(limping, 200);
+  REQUIRE(begin.is_limping());
+  const Check limps = [](const Bench& bench) {
+    if (!bench.is_limping() || bench.left() > 6554 || bench.right() > 6554) {  // 40 % of 16384
+      FAIL("LIMP is over, or its cap does not hold");
+    }
+  };
+  for_each_garbling(begin, limping, limps);
+}
