@@ -26,6 +26,10 @@ void Wire::detach(const WireNode& node) {
 void Wire::send(Sender sender, std::uint8_t value, Time start, const CharacterFormat& format) {
   Character character{sender, value, value, false, false, start, format};
   faults_.pass(character);
+  put(character);
+}
+
+void Wire::put(const Character& character) {
   line_.add(character);
   for (Ear& ear : ears_) {
     if (character.start < ear.edge) {
@@ -82,20 +86,35 @@ void Wire::mend(Time now) {
   }
 }
 
-void Wire::babble(Time now, Time span) {
+void Wire::babble(Time now, Time span, double share) {
+  const auto length = static_cast<double>(CharacterFormat{}.length().count());
+  begin_noise(now, span, Time{static_cast<Time::rep>(length / share)}, false);
+}
+
+void Wire::jam(Time now, Time span) {
+  begin_noise(now, span, CharacterFormat{}.length(), true);
+}
+
+void Wire::begin_noise(Time now, Time span, Time spacing, bool is_jam) {
   if (babble_at_ == never) {
     babble_at_ = now;
   }
   babble_until_ = now + span;
+  babble_spacing_ = spacing;
+  is_jammed_ = is_jam;
 }
 
 void Wire::babble_on() {
   const Time start = babble_at_;
-  babble_at_ += CharacterFormat{}.length();
+  babble_at_ += babble_spacing_;
   if (babble_at_ >= babble_until_) {
     babble_at_ = never;
   }
-  send(Sender::noise, static_cast<std::uint8_t>(random_()), start);
+  if (is_jammed_) {
+    put(Character{Sender::noise, 0, 0, false, true, start, {}});
+  } else {
+    send(Sender::noise, static_cast<std::uint8_t>(random_()), start);
+  }
 }
 
 Time Wire::next_time() const {

@@ -53,8 +53,10 @@ class Wire {
   void mend(Time now);
   bool is_cut() const { return line_.cut.is_on(); }
   void disturb(const Disturbance& disturbance) { faults_.add(disturbance); }
-  // Random characters back to back, from the seed.
-  void babble(Time now, Time span);
+  // Random characters from the seed, back to back or filling a share of the time, 0 to 1 of it.
+  void babble(Time now, Time span, double share = 1);
+  // A transmitter that hangs: zeros without a stop bit, back to back.
+  void jam(Time now, Time span);
 
   // When advance() wants to be called; Time::max() while nothing is going on.
   Time next_time() const;
@@ -75,8 +77,10 @@ class Wire {
 
   void set_wake(Time now);
   void seek_anew(Time now);
+  void put(const Character& character);
   void seek(Ear& ear) const;
   void finish_character(Ear& ear);
+  void begin_noise(Time now, Time span, Time spacing, bool is_jam);
   void babble_on();
   void report_until(Time now);
   void report(const Character& character) const;
@@ -94,6 +98,8 @@ class Wire {
   std::mt19937_64 random_;
   Time babble_at_ = never;  // the next character
   Time babble_until_{};
+  Time babble_spacing_{};
+  bool is_jammed_ = false;
 };
 
 }  // namespace simulation

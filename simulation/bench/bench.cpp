@@ -25,6 +25,12 @@ int judge(const Figures& figures, const std::vector<Target>& targets, std::ostre
       return broken;
     }
   }
+  for (const NoiseFigures& noise : figures.noise) {
+    for (const std::string& complaint : noise.complaints) {
+      err << fmt::format("the chip complains, noise {}: {}\n", noise.name, complaint);
+      return broken;
+    }
+  }
   int code = 0;
   for (const Target& target : targets) {
     if (!target.is_met) {

@@ -76,6 +76,27 @@ struct Example {
   std::optional<double> measured_us{};  // median; nothing if it did not occur
 };
 
+// Somebody babbles: random characters back to back, for a share of the time or between the turns, from the moment on at
+// which the chair drives (H-23).
+struct NoiseFigures {
+  std::string name;
+  bool hears_remote = false;  // the noise leaves its turns alone
+  double seconds = 0;         // of noise
+  double load = 0;
+  Spread load_per_cycle;
+  std::uint64_t ticks = 0;  // of the millisecond clock
+  Spread answer;            // end of the remote's TF to the first start bit, where it was answered
+  std::uint64_t characters_said = 0;
+  std::optional<double> stop_begins_ms;  // after the end of the last general that was whole
+  std::optional<double> stop_lasts_ms;   // until both duties are zero
+  bool grew = false;                     // a duty, after the stop had begun
+  std::uint64_t off = 0;                 // cycles, interrupts off, handlers included, since power-on
+  std::uint64_t longest_interrupt = 0;   // cycles, since power-on
+  std::uint64_t overruns = 0;
+  bool is_back = false;  // half a second after the noise every turn is answered again
+  std::vector<std::string> complaints;
+};
+
 struct ImageFigures {
   std::string name;  // of the file
   std::string compiler;
@@ -88,6 +109,7 @@ struct Figures {
   ImageFigures image;
   RunFigures idle;
   RunFigures heavy;
+  std::vector<NoiseFigures> noise;
   std::vector<Example> examples;
 };
 

@@ -58,6 +58,21 @@ Json show(const RunFigures& run) {
           {"complaints", run.complaints}};
 }
 
+Json show(const NoiseFigures& run) {
+  return {{"name", run.name},
+          {"seconds", run.seconds},
+          {"cpu_load", run.load},
+          {"cpu_load_per_cycle", show(run.load_per_cycle)},
+          {"ticks", run.ticks},
+          {"answer_us", show(run.answer)},
+          {"characters_said", run.characters_said},
+          {"stop_begins_ms", show(run.stop_begins_ms)},
+          {"stop_lasts_ms", show(run.stop_lasts_ms)},
+          {"interrupts_off_cycles", run.off},
+          {"longest_interrupt_cycles", run.longest_interrupt},
+          {"overruns", run.overruns}};
+}
+
 }  // namespace
 
 std::string tell_json(const Figures& figures, const std::vector<Target>& targets) {
@@ -68,6 +83,10 @@ std::string tell_json(const Figures& figures, const std::vector<Target>& targets
                         {"computed_us", example.computed_us},
                         {"back_to_back_us", example.back_to_back_us},
                         {"measured_us", show(example.measured_us)}});
+  }
+  Json noise = Json::array();
+  for (const NoiseFigures& run : figures.noise) {
+    noise.push_back(show(run));
   }
   Json missed = Json::array();
   for (const Target& target : targets) {
@@ -83,6 +102,7 @@ std::string tell_json(const Figures& figures, const std::vector<Target>& targets
                    {"stack_bound", show(figures.image.stack_bound)}}},
                  {"idle", show(figures.idle)},
                  {"heaviest", show(figures.heavy)},
+                 {"noise", noise},
                  {"utilisation_examples", examples},
                  {"missed_targets", missed}};
   return all.dump(2) + "\n";

@@ -10,6 +10,7 @@
 #include "simulation/bench/bus_meter.hpp"
 #include "simulation/bench/interrupt_names.hpp"
 #include "simulation/bench/load_meter.hpp"
+#include "simulation/bench/noise.hpp"
 #include "simulation/bench/traffic.hpp"
 #include "simulation/board/avr_board.hpp"
 #include "simulation/board/avr_image.hpp"
@@ -189,6 +190,7 @@ Figures measure(const std::string& path, double minutes) {
   figures.idle = idle.run(halves);
   Bench heavy(path, image, Load::heavy);
   figures.heavy = heavy.run(halves);
+  figures.noise = measure_noise(path, minutes / 3);
   figures.examples = {example("power-up with an attendant control", 11, 4, 10, heavy.meter()),
                       example("normal, no programmer", 10, 10, 0, idle.meter()),
                       example("programmer both ways, calibration, attendant control", 23, 20, 9, heavy.meter())};

@@ -159,6 +159,45 @@ Table interrupt_table(const Figures& figures) {
   return table;
 }
 
+Table noise_table(const Figures& figures) {
+  Table table{
+      "Beside somebody who babbles",
+      "Random characters back to back, from a moment on at which the chair drives (H-23): all of the time, half of "
+      "the time (a character, and a pause as long), and in every gap between the turns, 7.5 to 19.5 ms after the "
+      "begin of the remote's. The stop counts from the end of the last general that came through, or of the one "
+      "before the third corrupt packet.",
+      {"what"},
+      {}};
+  for (const NoiseFigures& run : figures.noise) {
+    table.head.push_back(run.name);
+  }
+  const auto add = [&](const std::string& what, auto read) {
+    Row row{what};
+    for (const NoiseFigures& run : figures.noise) {
+      row.push_back(read(run));
+    }
+    table.rows.push_back(row);
+  };
+  const auto ms = [](std::optional<double> value) { return value ? fmt::format("{:.1f} ms", *value) : "-"; };
+  add("noise", [](const NoiseFigures& run) { return fmt::format("{:.0f} s", run.seconds); });
+  add("CPU load", [](const NoiseFigures& run) { return show_share(run.load); });
+  add("CPU load of single 20 ms, least, median, most",
+      [](const NoiseFigures& run) { return show_spread(run.load_per_cycle, show_share); });
+  add("milliseconds that the clock counted", [](const NoiseFigures& run) { return std::to_string(run.ticks); });
+  add("interrupts off, handlers included, longest",
+      [](const NoiseFigures& run) { return show_cycles_us(run.off) + " us"; });
+  add("longest interrupt", [](const NoiseFigures& run) { return show_cycles_us(run.longest_interrupt) + " us"; });
+  add("the motors begin to slow", [&](const NoiseFigures& run) { return ms(run.stop_begins_ms); });
+  add("from then to both duties zero", [&](const NoiseFigures& run) { return ms(run.stop_lasts_ms); });
+  add("turns of the remote that were answered",
+      [](const NoiseFigures& run) { return std::to_string(run.answer.count); });
+  add("end of TF to the answer's first start bit, us",
+      [](const NoiseFigures& run) { return show_spread(run.answer, show_us); });
+  add("characters said", [](const NoiseFigures& run) { return std::to_string(run.characters_said); });
+  add("overruns in the UART", [](const NoiseFigures& run) { return std::to_string(run.overruns); });
+  return table;
+}
+
 Table memory_table(const Figures& figures) {
   Table table{"Memory", "", {"what", "bytes"}, {}};
   const ImageFigures& image = figures.image;
@@ -201,7 +240,7 @@ Table comparison_table(const Figures& figures) {
 
 std::vector<Table> all_tables(const Figures& figures, const std::vector<Target>& targets) {
   return {bus_table(figures),       comparison_table(figures), example_table(figures), chip_table(figures),
-          interrupt_table(figures), memory_table(figures),     target_table(targets)};
+          interrupt_table(figures), noise_table(figures),      memory_table(figures),  target_table(targets)};
 }
 
 std::string markdown(const Table& table) {
@@ -257,6 +296,9 @@ matters here: on silicon the transmitter starts up to one bit (26 us) later.
 - **heaviest**: everybody's longest turn every 20 ms. The remote: general, 8 characters from the programmer, calibration.
   The power module: general and 8 characters back, once a second the settings as well. The attendant control: general
   and calibration. The driver drives as before.
+- **noise**: somebody babbles beside the idle traffic, while the chair drives. In the gaps
+  for a third of the time above; where nothing of the remote comes through for 4 s, as the module switches itself off after
+  5 s without it.
 
 )";
 

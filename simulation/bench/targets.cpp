@@ -11,6 +11,10 @@ constexpr double longest_pause_us = 1;
 constexpr double longest_interrupt_us = 40;
 constexpr double longest_lock_us = 20;
 constexpr double highest_load = 0.40;
+constexpr double highest_load_in_noise = 0.60;  // 3491 characters a second, which no remote sends (H-23)
+constexpr double latest_answer_in_noise_us = 100;
+constexpr double latest_stop_ms = 63;     // SB-2.15, and a sample
+constexpr double longest_stop_ms = 1500;  // SB-2.17
 
 void judge(const RunFigures& run, std::vector<Target>& all) {
   const auto add = [&](const std::string& what, const std::string& wanted, const std::string& seen, bool is_met) {
@@ -42,12 +46,44 @@ void judge(const RunFigures& run, std::vector<Target>& all) {
       run.complaints.empty());
 }
 
+void judge(const NoiseFigures& run, std::vector<Target>& all) {
+  const auto add = [&](const std::string& what, const std::string& wanted, const std::string& seen, bool is_met) {
+    all.push_back({fmt::format("{}, noise {}", what, run.name), wanted, seen, is_met});
+  };
+  add("CPU load", fmt::format("under {:.0f} %", highest_load_in_noise * 100), fmt::format("{:.1f} %", run.load * 100),
+      run.load < highest_load_in_noise);
+  const double expected = run.seconds * 1000;
+  const double ticks = static_cast<double>(run.ticks);
+  add("milliseconds counted", fmt::format("{:.0f}, give or take one", expected), fmt::format("{:.0f}", ticks),
+      ticks >= expected - 1 && ticks <= expected + 1);
+  add("emergency stop begins", fmt::format("within {:.0f} ms of the last general", latest_stop_ms),
+      run.stop_begins_ms ? fmt::format("{:.1f} ms", *run.stop_begins_ms) : "it did not",
+      run.stop_begins_ms && *run.stop_begins_ms <= latest_stop_ms);
+  add("emergency stop ends", fmt::format("within {:.0f} ms, no duty grows", longest_stop_ms),
+      run.stop_lasts_ms ? fmt::format("{:.0f} ms{}", *run.stop_lasts_ms, run.grew ? ", a duty grew" : "")
+                        : "it did not",
+      run.stop_lasts_ms && *run.stop_lasts_ms <= longest_stop_ms && !run.grew);
+  if (run.hears_remote) {
+    const auto turns = static_cast<std::size_t>(run.seconds * 50);
+    add("answer", fmt::format("0 to {:.0f} us, every turn", latest_answer_in_noise_us),
+        fmt::format("{:.1f} to {:.1f} us, {} of {}", run.answer.least, run.answer.most, run.answer.count, turns),
+        run.answer.least >= 0 && run.answer.most <= latest_answer_in_noise_us && run.answer.count + 1 >= turns);
+  } else {
+    add("said into the noise", "nothing", fmt::format("{} characters", run.characters_said), run.characters_said == 0);
+  }
+  add("lost in the UART", "none", fmt::format("{}", run.overruns), run.overruns == 0);
+  add("turns answered afterwards", "all", run.is_back ? "all" : "not all", run.is_back);
+}
+
 }  // namespace
 
 std::vector<Target> targets(const Figures& figures) {
   std::vector<Target> all;
   judge(figures.idle, all);
   judge(figures.heavy, all);
+  for (const NoiseFigures& noise : figures.noise) {
+    judge(noise, all);
+  }
   for (const RunFigures* run : {&figures.idle, &figures.heavy}) {
     if (figures.image.stack_bound && run->stack_used) {
       all.push_back({fmt::format("stack, {} traffic", run->name),

@@ -66,8 +66,8 @@ void Wheels::take(const Pins& pins, Time now) {
   pins_ = pins;
   before_at_ = at_;
   at_ = now;
-  // All at once; a sample may fall between the brakes' two pins, and that they go together is another clause (H-12.2).
-  const bool is_cut = !pins.bridge_enable && !pins.motor_relay && !are_both_released();
+  // A sample may fall between the pins; that the brakes follow, and together, is for other clauses (H-12.3, H-12.2).
+  const bool is_cut = !pins.bridge_enable && !pins.motor_relay;
   left_.take(signed_duty(pins.left_duty, pins.left_forward), at_ - before_at_, is_cut);
   right_.take(signed_duty(pins.right_duty, pins.right_forward), at_ - before_at_, is_cut);
   if (!is_zero()) {

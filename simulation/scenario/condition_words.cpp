@@ -71,6 +71,11 @@ void add_motion(std::vector<ConditionWord>& words) {
                 when([](const Facts& f) { return f.pins().left_brake_release != f.pins().right_brake_release; })}}}});
 }
 
+bool is_an_actuator_on(const Facts& f) {
+  return f.pins().actuator1_extend || f.pins().actuator1_retract || f.pins().actuator2_extend ||
+         f.pins().actuator2_retract;
+}
+
 void add_pins(std::vector<ConditionWord>& words) {
   words.push_back({"power latch", "held", "the pin that keeps the supply on",
                    either("held", "released", when([](const Facts& f) { return f.pins().power_latch; }))});
@@ -80,6 +85,8 @@ void add_pins(std::vector<ConditionWord>& words) {
                    either("enabled", "disabled", when([](const Facts& f) { return f.pins().bridge_enable; }))});
   words.push_back({"motor relay", "open", "the contactor before the bridges",
                    either("closed", "open", when([](const Facts& f) { return f.pins().motor_relay; }))});
+  words.push_back({"actuators", "off", "the four pins that extend or retract an actuator",
+                   either("on", "off", when(is_an_actuator_on))});
   words.push_back({"resets", "1", "resets of the power module since the step began, power-on not counted",
                    Gauge{Measure::count, [](const Facts& f, const Anchor& since) {
                            return std::optional<double>(f.resets() - since.resets);

@@ -127,9 +127,24 @@ std::optional<Time> read_span(const YAML::Node& value, const std::string& what, 
   return span ? read_time(*span, problems) : std::nullopt;
 }
 
+// {for: 200ms, share: 50%}
 std::optional<Action> babble(const YAML::Node& value, Table&, Problems& problems) {
-  const auto time = read_span(value, "babble", problems);
-  return time ? std::optional<Action>(Babble{*time}) : std::nullopt;
+  Table map(value, "babble", problems);
+  const auto span = map.need("for");
+  const auto share = map.find("share");
+  map.done();
+  const auto time = span ? read_time(*span, problems) : std::nullopt;
+  const auto part = share ? read_quantity(*share, Measure::share, problems) : std::optional(1.0);
+  if (part && (*part < 0.01 || *part > 1)) {
+    problems.add(*share, "the share of the time is 1% to 100%");
+    return std::nullopt;
+  }
+  return time && part ? std::optional<Action>(Babble{*time, *part}) : std::nullopt;
+}
+
+std::optional<Action> jam(const YAML::Node& value, Table&, Problems& problems) {
+  const auto time = read_span(value, "jam", problems);
+  return time ? std::optional<Action>(Jam{*time}) : std::nullopt;
 }
 
 std::optional<Action> wake_pulse(const YAML::Node& value, Table&, Problems& problems) {
@@ -179,8 +194,10 @@ const std::vector<FaultWord>& fault_words() {
        break_stop_bit},
       {"late byte", "fault: {late byte: SR general, byte: 3, by: 2.6ms}",
        "one byte of the next packets of that kind comes later, and with it the rest of the turn", delay},
-      {"babble", "fault: {babble: {for: 200ms}}",
-       "random characters back to back, from the scenario's seed; the step does not wait", babble},
+      {"babble", "fault: {babble: {for: 200ms, share: 50%}}",
+       "random characters from the scenario's seed, back to back if no share is said; the step does not wait", babble},
+      {"jam", "fault: {jam: {for: 200ms}}",
+       "a transmitter hangs: zeros without a stop bit, back to back; the step does not wait", jam},
       {"wake pulse", "fault: {wake pulse: {for: 200ms}}",
        "SBH above 12 V, nothing can be heard; the step does not wait", wake_pulse},
       {"open brake coil", "fault: {open brake coil: left}",

@@ -243,8 +243,14 @@ std::string Hands::apply(const Disturb& disturb) {
 }
 
 std::string Hands::apply(const Babble& babble) {
-  world_.wire().babble(world_.now(), babble.span);
-  return fmt::format("somebody babbles on the bus for {}", show_time(babble.span));
+  world_.wire().babble(world_.now(), babble.span, babble.share);
+  const std::string share = babble.share < 1 ? ", " + show(babble.share, Measure::share) + " of the time" : "";
+  return fmt::format("somebody babbles on the bus for {}{}", show_time(babble.span), share);
+}
+
+std::string Hands::apply(const Jam& jam) {
+  world_.wire().jam(world_.now(), jam.span);
+  return fmt::format("a transmitter hangs for {}", show_time(jam.span));
 }
 
 std::string Hands::apply(const WakePulse& pulse) {

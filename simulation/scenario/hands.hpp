@@ -23,6 +23,7 @@ class Hands {
   std::string apply(const MendCable&);
   std::string apply(const Disturb& disturb);
   std::string apply(const Babble& babble);
+  std::string apply(const Jam& jam);
   std::string apply(const WakePulse& pulse);
   std::string apply(const Break& broken);
   std::string apply(const Slope& slope);

@@ -81,11 +81,12 @@ std::optional<Step> parse_step(const YAML::Node& node, Problems& problems) {
 }
 
 std::vector<std::string> parse_clauses(const YAML::Node& node, Problems& problems) {
-  static const std::regex shape("SB-[0-9A-F]{1,2}\\.[0-9]{1,2}");
+  static const std::regex shape("SB-[0-9A-F]{1,2}\\.[0-9]{1,2}|H-[0-9]{2}");
   auto clauses = read_texts(node, problems);
   for (const std::string& clause : clauses) {
     if (!std::regex_match(clause, shape)) {
-      problems.add(node, fmt::format("'{}' is not a clause id such as SB-2.15", clause));
+      problems.add(node,
+                   fmt::format("'{}' is neither a clause's id such as SB-2.15 nor a hazard's such as H-04", clause));
     }
   }
   return clauses;

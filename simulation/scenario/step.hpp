@@ -93,7 +93,11 @@ struct Disturb {  // of the next `count` packets of one kind
   int count = 1;
   Time by{};  // how late
 };
-struct Babble {  // random characters, back to back
+struct Babble {  // random characters
+  Time span{};
+  double share = 1;  // of the time
+};
+struct Jam {  // zeros without a stop bit
   Time span{};
 };
 struct WakePulse {  // SBH above 12 V
@@ -116,7 +120,7 @@ enum class Reset { watchdog, brown_out, external };
 
 using Action = std::variant<Say, Note, Wait, WaitForMidCycle, PressPower, SetControls, SetRemote, SetSacu,
                             UseProgrammer, Expect, Hold, Never, Send, StopSending, CutCable, MendCable, Disturb, Babble,
-                            WakePulse, Break, Slope, Battery, Reset>;
+                            Jam, WakePulse, Break, Slope, Battery, Reset>;
 
 struct Step {
   Mark mark;

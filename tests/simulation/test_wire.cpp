@@ -435,6 +435,26 @@ TEST_CASE("Babble is back to back, ends, and is the same for the same seed") {
   CHECK(babble(8).logged() != once.logged());
 }
 
+TEST_CASE("Babble of half the time leaves a character's pause behind each") {
+  Bench bench;
+  bench.wire.babble(1ms, 10ms, 0.5);
+  bench.run(50ms);
+  CHECK(bench.log.size() == 18);  // one in 573 us
+  CHECK(bench.log[1].start - bench.log[0].start == 2 * character);
+}
+
+TEST_CASE("A transmitter that hangs sends zeros without a stop bit, until it ends", "[H-34]") {
+  Bench bench;
+  bench.wire.jam(1ms, 10ms);
+  bench.run(50ms);
+  CHECK(bench.log.size() == 35);
+  for (const BusByte& byte : bench.log) {
+    CHECK(byte.heard == 0);
+    CHECK(byte.spoiled);
+  }
+  CHECK(bench.wire.next_time() == Time::max());
+}
+
 TEST_CASE("Babble over a turn leaves neither as it was", "[SB-2.18]") {
   Bench bench;
   bench.wire.babble(0ms, 10ms);

@@ -23,11 +23,26 @@ RunFigures good_run(const std::string& name) {
   return run;
 }
 
+NoiseFigures good_noise(const std::string& name) {
+  NoiseFigures run;
+  run.name = name;
+  run.hears_remote = name == "in the gaps";
+  run.seconds = 3;
+  run.load = 0.599;
+  run.ticks = 3001;
+  run.answer = {149, 0, 10, 100};
+  run.stop_begins_ms = 63;
+  run.stop_lasts_ms = 1500;
+  run.is_back = true;
+  return run;
+}
+
 Figures good_figures() {
   Figures figures;
   figures.image = {"spm.elf", "GCC: (GNU) 5.4.0", 20000, 1000, 700};
   figures.idle = good_run("idle");
   figures.heavy = good_run("heaviest");
+  figures.noise = {good_noise("all of the time"), good_noise("in the gaps")};
   return figures;
 }
 
@@ -42,6 +57,57 @@ std::string missed(const Figures& figures) {
 
 TEST_CASE("figures that just meet their targets meet them") {
   CHECK(missed(good_figures()) == "");
+}
+
+TEST_CASE("each number beside noise that is just too bad is named", "[H-23]") {
+  Figures figures = good_figures();
+  NoiseFigures& all = figures.noise[0];
+  NoiseFigures& gaps = figures.noise[1];
+  SECTION("too much to do") {
+    all.load = 0.6;
+    CHECK(missed(figures) == "CPU load, noise all of the time; ");
+  }
+  SECTION("a lost millisecond and one more") {
+    all.ticks = 2998;
+    CHECK(missed(figures) == "milliseconds counted, noise all of the time; ");
+  }
+  SECTION("a late stop") {
+    all.stop_begins_ms = 63.1;
+    CHECK(missed(figures) == "emergency stop begins, noise all of the time; ");
+  }
+  SECTION("no stop") {
+    all.stop_begins_ms = all.stop_lasts_ms = {};
+    CHECK(missed(figures) ==
+          "emergency stop begins, noise all of the time; emergency stop ends, noise all of the time; ");
+  }
+  SECTION("a stop that lasts") {
+    gaps.stop_lasts_ms = 1500.1;
+    CHECK(missed(figures) == "emergency stop ends, noise in the gaps; ");
+  }
+  SECTION("a stop that turns round") {
+    gaps.grew = true;
+    CHECK(missed(figures) == "emergency stop ends, noise in the gaps; ");
+  }
+  SECTION("a late answer") {
+    gaps.answer.most = 100.1;
+    CHECK(missed(figures) == "answer, noise in the gaps; ");
+  }
+  SECTION("two turns without an answer") {
+    gaps.answer.count = 148;
+    CHECK(missed(figures) == "answer, noise in the gaps; ");
+  }
+  SECTION("a word into the noise") {
+    all.characters_said = 1;
+    CHECK(missed(figures) == "said into the noise, noise all of the time; ");
+  }
+  SECTION("a lost character") {
+    all.overruns = 1;
+    CHECK(missed(figures) == "lost in the UART, noise all of the time; ");
+  }
+  SECTION("no way back") {
+    all.is_back = false;
+    CHECK(missed(figures) == "turns answered afterwards, noise all of the time; ");
+  }
 }
 
 TEST_CASE("each number that is just too bad is named") {

@@ -115,6 +115,8 @@ TEST_CASE("Deeds on wire, ground and supply are done and told") {
   CHECK(hands.apply(WakePulse{20ms}) == "SBH is pulled up for 20ms");
   CHECK(bench.world.wire().is_wake_asserted());
   CHECK(hands.apply(Babble{2s}) == "somebody babbles on the bus for 2s");
+  CHECK(hands.apply(Babble{2s, 0.5}) == "somebody babbles on the bus for 2s, 50% of the time");
+  CHECK(hands.apply(Jam{300ms}) == "a transmitter hangs for 300ms");
   CHECK(hands.apply(Slope{6}) == "the ground is at 6deg");
   CHECK(hands.apply(scenario::Battery{22}) == "the batteries have 22V");
   bench.run(1ms);

@@ -75,7 +75,7 @@ TEST_CASE("all that is wrong comes out at once, in the order of lines") {
 
 TEST_CASE("clause ids, boards and the given situation are checked") {
   CHECK(complaints_about("spec: [SB-2.14, 2.15]\n" + head + "  - wake\n") ==
-        "file.yaml:1:7: '2.15' is not a clause id such as SB-2.15");
+        "file.yaml:1:7: '2.15' is neither a clause's id such as SB-2.15 nor a hazard's such as H-04");
   CHECK(complaints_about("needs: pic\n" + head + "  - wake\n") == "file.yaml:1:8: 'pic' is not a board: avr, host");
   CHECK(complaints_about("given: asleep\n" + head + "  - wake\n") ==
         "file.yaml:1:8: 'asleep' is not a start: off, awake, driving at 60%");
