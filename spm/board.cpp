@@ -181,6 +181,7 @@ void Board::sense_bus() {
 }
 
 void Board::sense_next() {
+  drivers::analog::scan();
   switch (turn_) {
     case 0:
       in_.battery = battery_of(drivers::analog::raw(Channel::battery));
