@@ -64,13 +64,12 @@ class Manager {
     Summary sum;
     is_pending_ = false;
     // The other rows neither do anything nor begin to.
-    Faults concerned = present | counted_ | stopping_ | limping_;
+    auto concerned = (present | counted_ | stopping_ | limping_).bits();  // shifted, so that it is bit 0 that is asked
     Faults fault = Faults::first();
-    for (uint8_t i = 0; i < row_count && !concerned.empty(); ++i, fault = fault.next()) {
-      if (!concerned.has(fault)) {
+    for (uint8_t i = 0; i < row_count && concerned != 0; ++i, concerned >>= 1, fault = fault.next()) {
+      if ((concerned & 1U) == 0) {
         continue;
       }
-      concerned = concerned.without(fault);
       const Row& row = rows[i];  // in flash: each column is fetched where it is needed
       const bool counts = present.has(fault) && outlasts_debounce(row, fault, now);
       begun_.put(fault, counts && !counted_.has(fault));
