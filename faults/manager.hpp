@@ -66,7 +66,12 @@ class Manager {
     // The other rows neither do anything nor begin to.
     auto concerned = (present | counted_ | stopping_ | limping_).bits();  // shifted, so that it is bit 0 that is asked
     Faults fault = Faults::first();
-    for (uint8_t i = 0; i < row_count && concerned != 0; ++i, concerned >>= 1, fault = fault.next()) {
+    uint8_t i = 0;
+    for (; concerned != 0 && (concerned & 0xFFU) == 0; i = static_cast<uint8_t>(i + 8)) {  // a byte at a time is cheap
+      concerned >>= 8;
+      fault = fault.next_byte();
+    }
+    for (; i < row_count && concerned != 0; ++i, concerned >>= 1, fault = fault.next()) {
       if ((concerned & 1U) == 0) {
         continue;
       }

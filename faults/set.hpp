@@ -20,6 +20,7 @@ class Set {
   // Walking all items in order, without a shift by a variable: first(), then next() of each.
   static constexpr Set first() { return Set(1); }
   constexpr Set next() const { return Set(static_cast<Bits>(bits_ << 1)); }
+  constexpr Set next_byte() const { return Set(static_cast<Bits>(bits_ << 8)); }
 
   __attribute__((always_inline)) constexpr bool has(Item item) const { return has(of(item)); }
   constexpr bool has(Set some) const { return (bits_ & some.bits_) != 0; }
