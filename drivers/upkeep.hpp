@@ -5,8 +5,8 @@
 namespace drivers {
 namespace upkeep {
 
-// Once a millisecond. What motion depends on is written with every second call, the rest, which only could make needless
-// interrupts, with every 256th.
+// Once a millisecond. What motion depends on is written with every second call, the rest, which only could make
+// needless interrupts, with every 256th.
 void refresh();
 
 }  // namespace upkeep

@@ -60,7 +60,8 @@ constexpr Demand steepest_rise = Demand(66);  // zero to full speed in 248 ms
 constexpr Millis stale_general = 66_ms;  // SB-2.15 once more, for the gate: a general older than this is no command
 constexpr Demand limp_ceiling = Demand(8192);  // SB-2.16: no setting lets LIMP exceed half of full voltage
 
-// Outputs against their currents, looked at with every house-keeping; the board reads each sensor twice as often, each time from a new conversion.
+// Outputs against their currents, looked at with every house-keeping; the board reads each sensor twice as often, each
+// time from a new conversion.
 constexpr uint8_t motor_looks = 4;                  // H-10: in a row, so at least 30 ms
 constexpr Milliamps stray_motor_current = 5000_mA;  // H-10: of a motor whose bridge is off
 constexpr Milliamps most_motor_current = 80000_mA;  // H-10: beyond its peak of 60 A, whatever is asked of it
