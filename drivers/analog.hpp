@@ -22,11 +22,12 @@ constexpr uint8_t quick_channels = 4;  // the first four: what driving depends o
 void start();
 
 // Once a millisecond: takes what has been converted and begins the next conversion. Five calls renew the quick channels
-// and one of the others; each of the others is renewed every 20. Does nothing if called within 0.21 ms of the last time.
+// and one of the others; each of the others is renewed every 20. Does nothing if called within 0.21 ms of the last
+// time.
 void scan();
 
-// The newest conversion of a channel, 0 to 1023 for 0 to 5 V; 0 until there is one. As long as nobody else calls scan(),
-// whoever reads a quick channel with every fifth call sees no conversion twice.
+// The newest conversion of a channel, 0 to 1023 for 0 to 5 V; 0 until there is one. As long as nobody else calls
+// scan(), whoever reads a quick channel with every fifth call sees no conversion twice.
 uint16_t raw(Channel channel);
 
 // True once every channel has been converted at least once since start().

@@ -27,7 +27,8 @@ bool take(base::HeardByte& byte);
 
 // Speaks `turn` as soon as a clean `terminator` has ended on the line: the first start bit follows the
 // terminator's last stop bit by less than 100 us, whatever the loop is doing; if the terminator has been heard less
-// than 1 ms ago and nothing since, at once. The bytes are copied. Replaces a turn that still waits; ignored while speaking.
+// than 1 ms ago and nothing since, at once. The bytes are copied. Replaces a turn that still waits; ignored while
+// speaking.
 void arm(uint8_t terminator, base::Span<const uint8_t> turn);
 
 // Speaks `turn` now, or not at all if already speaking. For the rare cases without a terminator (SB-2.12).
@@ -36,12 +37,18 @@ void speak(base::Span<const uint8_t> turn);
 // Forgets a waiting turn and the rest of one being sent.
 void hush();
 
+// The transmitter does not come to an end: it is off until the next refresh(), and nothing is left to say (H-30).
+void cut();
+
 base::TurnSender::State state();
 
 // Whether an echo differed from what was sent since this was last asked (SB-1.4).
 bool take_clash();
 
-// Writes the UART's configuration registers again, undoing an upset. Cheap; once a millisecond.
+// Nothing that was heard waits to be taken, neither here nor in the receiver (H-25).
+bool is_all_taken();
+
+// Writes the UART's configuration registers again, undoing an upset (H-27); upkeep.hpp calls it.
 void refresh();
 
 }  // namespace serial

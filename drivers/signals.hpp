@@ -25,6 +25,8 @@ struct Sensed {
 void start();
 // Never energises extend and retract of one actuator together, whatever is asked.
 void apply(const Switched& outputs);
+// Writes all of them again, and the inputs' pull-ups (H-27); upkeep.hpp calls it.
+void refresh();
 Sensed sense();
 bool is_awake();  // SBH above 12 V
 

@@ -88,6 +88,9 @@ void speak(const Outputs& outputs) {
     case Speech::hush:
       drivers::serial::hush();
       break;
+    case Speech::cut:
+      drivers::serial::cut();
+      break;
   }
 }
 
@@ -165,6 +168,9 @@ const Inputs& Board::sense(base::Instant now) {
   if (now != last_slow_) {
     last_slow_ = now;
     sense_next();
+    if (drivers::serial::is_all_taken()) {
+      beats_.add(faults::Beat::receive);
+    }
   }
   return in_;
 }
@@ -214,6 +220,7 @@ void Board::apply(const Outputs& outputs) {
   drivers::clock::tick_twice(outputs.is_time_pressing);
   if (!outputs.are_motors_as_before) {
     move(outputs);
+    beats_.add(faults::Beat::output);
   }
   if (!outputs.are_switches_as_before) {
     switch_over(outputs);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drivers/base/time.hpp"
+#include "faults/heartbeat.hpp"
 #include "spm/inputs.hpp"
 #include "spm/outputs.hpp"
 #include "spm/settings.hpp"
@@ -19,6 +20,12 @@ class Board {
   // What the bus says is always new; of voltages, currents and switches one is read each millisecond, in turn.
   const Inputs& sense(base::Instant now);
   void apply(const Outputs& outputs);
+  // H-25: what was done since this was last asked.
+  faults::Beats take_beats() {
+    const faults::Beats done = beats_;
+    beats_ = faults::Beats();
+    return done;
+  }
   // Once a millisecond: one byte for the EEPROM, if it is ready for it.
   void store(Storage& storage);
 
@@ -27,6 +34,7 @@ class Board {
   void sense_next();
 
   Inputs in_;
+  faults::Beats beats_;
   base::Instant last_slow_;
   uint8_t turn_ = 0;     // whose it is to be read
   uint8_t awaited_ = 0;  // as the transceiver was told

@@ -1,7 +1,7 @@
 #include "spm/firmware.hpp"
 
 #include "drivers/clock.hpp"
-#include "drivers/serial.hpp"
+#include "drivers/upkeep.hpp"
 #include "drivers/watchdog.hpp"
 
 namespace spm {
@@ -13,17 +13,30 @@ void Firmware::start() {
 }
 
 void Firmware::pass() {
+  drivers::clock::refresh();
   const base::Instant now = drivers::clock::now();
-  const Outputs& outputs = spm_.step(board_.sense(now), now);
+  const Inputs& in = board_.sense(now);
+  const Outputs& outputs = spm_.step(in, now);
   board_.apply(outputs);
   if (!outputs.events.empty()) {
     storage_.note(outputs.events);
   }
-  if (now != last_) {  // a clock that stands still starves the watchdog, whatever else goes on
+  if (now != last_) {  // a new millisecond
     last_ = now;
     storage_.step();
     board_.store(storage_);
-    drivers::serial::refresh();
+    drivers::upkeep::refresh();
+    is_second_ = !is_second_;
+    if (is_second_) {
+      stay_alive(in.stamp);
+    }
+  }
+}
+
+// H-25: the only place where the watchdog is fed.
+void Firmware::stay_alive(base::Stamp stamp) {
+  heartbeat_.report(board_.take_beats() | spm_.take_beats() | faults::Beats::of(faults::Beat::tick));
+  if (heartbeat_.take(stamp)) {
     drivers::watchdog::feed();
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drivers/base/time.hpp"
+#include "faults/heartbeat.hpp"
 #include "spm/board.hpp"
 #include "spm/spm.hpp"
 #include "spm/storage.hpp"
@@ -20,10 +21,14 @@ class Firmware {
   const Storage& storage() const { return storage_; }
 
  private:
+  void stay_alive(base::Stamp stamp);
+
   Board board_;
   Spm spm_;
   Storage storage_;
+  faults::Heartbeat heartbeat_;
   base::Instant last_;
+  bool is_second_ = false;  // of two milliseconds
 };
 
 }  // namespace spm

@@ -34,6 +34,10 @@ constexpr faults::LinkSupervisor::Limits link{
 constexpr Micros latest_after_finish = 1500_us;
 constexpr Micros latest_after_silence = 4500_us;  // SB-2.12
 
+// H-30: longer than any turn of ours, and with the millisecond until it is seen and the one in which it is switched off
+// not longer than 10 ms.
+constexpr Millis longest_speech = 8_ms;
+
 // Neutral
 constexpr uint8_t neutral_proof = 5;  // SB-01.8: generals in a row
 
@@ -61,7 +65,8 @@ constexpr Demand steepest_rise = Demand(66);  // zero to full speed in 248 ms
 constexpr Millis stale_general = 66_ms;  // SB-2.15 once more, for the gate: a general older than this is no command
 constexpr Demand limp_ceiling = Demand(8192);  // SB-2.16: no setting lets LIMP exceed half of full voltage
 
-// Outputs against their currents, looked at with every house-keeping; the board reads each sensor twice as often.
+// Outputs against their currents, looked at with every house-keeping; the board reads each sensor twice as often, each
+// time from a new conversion.
 constexpr uint8_t motor_looks = 4;                  // H-10: in a row, so at least 30 ms
 constexpr Milliamps stray_motor_current = 5000_mA;  // H-10: of a motor whose bridge is off
 constexpr Milliamps most_motor_current = 80000_mA;  // H-10: beyond its peak of 60 A, whatever is asked of it
@@ -87,6 +92,9 @@ static_assert(bus::shark::Turn::capacity * slow_byte <= 8500, "SB-2.2: so HHP da
 static_assert((9 + 10 + 3 + 1 + bus::shark::Turn::capacity + 8 + 3 + 1) * uint32_t{slow_byte} <= cycle.count() * 1000,
               "SB-2.2: all of them must fit into a cycle");
 static_assert(bus::shark::Turn::capacity <= base::TurnSender::capacity, "the longest turn must fit the transmitter");
+static_assert(bus::shark::Turn::capacity * uint32_t{287} < (longest_speech.count() - 1) * 1000,
+              "H-30: what is cut is no turn");
+static_assert(longest_speech + 2_ms <= 10_ms, "H-30");
 static_assert(link.silence.count() > 3 * 20000U, "SB-2.15: three cycles of 20 ms and a little more must fit");
 static_assert(settings_every * cycle.count() <= longest_without_settings.count(), "SB-0A.1: at least once a second");
 static_assert(full_demand.count() / least_fall.count() <= 1500, "SB-2.17: zero within 1500 ms");

@@ -296,7 +296,7 @@ void Spm::weigh_inhibits() {
 
 FaultSet Spm::present_faults(const Inputs& in) const {
   FaultSet present;
-  present.put(Fault::internal, motion_.has_refused() || has_upset_);
+  present.put(Fault::internal, motion_.has_refused() || has_upset_ || do_clocks_differ_);
   present.put(Fault::unexpected_start, is_unexpected(in.start));
   present.put(Fault::settings_lost, in.settings_lost);
   present.put(Fault::corrupt_packets, link_.has_corrupt_run());
@@ -406,6 +406,10 @@ void Spm::do_timed_work(const Inputs& in, Instant now) {
   const bool is_due = late != 0_ms && (!is_bus_first || late > longest_wait);
   if (is_due) {
     move(late, now);
+    if (speech_watch_.is_hung(in.speaker, now)) {  // H-30
+      record(EventCode::transmitter_hung, 0, now);
+      responder_.cut();
+    }
   }
   if (is_due && now - kept_house_ >= limits::house_keeping) {
     keep_house(in, now);
@@ -438,6 +442,7 @@ void Spm::move(Millis late, Instant now) {
   outputs_.bridge_enabled = motion_.are_brakes_released();
   outputs_.relay_closed = motion_.are_brakes_released() || leave.may_drive;
   outputs_.are_motors_as_before = false;
+  beats_.add(faults::Beat::step);
 }
 
 void Spm::keep_house(const Inputs& in, Instant now) {
@@ -445,10 +450,13 @@ void Spm::keep_house(const Inputs& in, Instant now) {
   outputs_.are_switches_as_before = false;
   output_watch_.step(in, outputs_);
   check_memory(now);
+  compare_clocks(in, now);
   supervise(in, now);
   fuel_gauge_.step(in.battery, motion_.are_brakes_released(), settings_, now);
   led_.step(faults_.summary().system_state, now);
   outputs_.status_led = led_.is_on();
+  // H-25: whoever tests flash and RAM, a piece each time, says so here.
+  beats_.add(faults::Beat::self_test);
   manage_power(in, now);
 }
 
@@ -476,6 +484,13 @@ void Spm::check_memory(Instant now) {
   if (whose != 0 && !has_upset_) {
     has_upset_ = true;
     record(EventCode::upset_found, whose, now);
+  }
+}
+
+void Spm::compare_clocks(const Inputs& in, Instant now) {
+  if (!do_clocks_differ_ && !clock_watch_.agree(now, in.stamp)) {  // H-24
+    do_clocks_differ_ = true;
+    record(EventCode::clock_differs, 0, now);
   }
 }
 

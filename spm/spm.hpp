@@ -10,7 +10,9 @@
 #include "bus/shark/packets.hpp"
 #include "bus/shark/responder.hpp"
 #include "drivers/base/grant.hpp"
+#include "faults/clock_watch.hpp"
 #include "faults/event.hpp"
+#include "faults/heartbeat.hpp"
 #include "faults/link_supervisor.hpp"
 #include "faults/manager.hpp"
 #include "spm/events.hpp"
@@ -27,6 +29,7 @@
 #include "spm/power.hpp"
 #include "spm/programmer.hpp"
 #include "spm/settings.hpp"
+#include "spm/speech_watch.hpp"
 #include "spm/status_led.hpp"
 
 namespace spm {
@@ -50,6 +53,13 @@ class Spm {
   // millisecond. `now` never goes back. The work of a millisecond is done once, by the first step that sees it.
   // The outputs stand until the next step.
   const Outputs& step(const Inputs& in, base::Instant now);
+
+  // H-25: what was done since this was last asked.
+  faults::Beats take_beats() {
+    const faults::Beats done = beats_;
+    beats_ = faults::Beats();
+    return done;
+  }
 
   // For the console, the log and tests.
   Phase phase() const { return phase_; }
@@ -98,6 +108,7 @@ class Spm {
   void keep_house(const Inputs& in, base::Instant now);
   void check_memory(base::Instant now);
   void manage_power(const Inputs& in, base::Instant now);
+  void compare_clocks(const Inputs& in, base::Instant now);
 
   void record(EventCode code, uint8_t argument, base::Instant now) {
     record_code(static_cast<uint8_t>(code), argument, now);
@@ -139,6 +150,10 @@ class Spm {
 
   Motion motion_;
   OutputWatch output_watch_;
+  faults::Beats beats_;
+  faults::ClockWatch clock_watch_;
+  bool do_clocks_differ_ = false;  // H-24, until the supply goes
+  SpeechWatch speech_watch_;
   Power power_;
   FuelGauge fuel_gauge_;
   StatusLed led_;

@@ -19,6 +19,7 @@ enum class Speech : uint8_t {
   arm,       // speak right after the next TF
   speak,     // speak now
   hush,      // forget what waits or is left
+  cut,       // and switch the transmitter off: it does not come to an end (H-30)
 };
 
 class Responder {
@@ -49,6 +50,12 @@ class Responder {
   void hush() {
     is_earned_ = false;
     speech_ = Speech::hush;
+  }
+
+  // The transmitter is stuck (H-30).
+  void cut() {
+    is_earned_ = false;
+    speech_ = Speech::cut;
   }
 
   // The turn being heard will be answered.

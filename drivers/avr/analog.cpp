@@ -44,8 +44,8 @@ void start() {
 }
 
 void scan() {
-  if ((ADCSRA & _BV(ADSC)) != 0) {
-    return;
+  if ((ADCSRA | _BV(ADIF)) == (converting | _BV(ADIF))) {
+    return;  // not finished; an upset that would let it never finish does not count as that (H-27)
   }
   results[current] = ADC;
   if (current >= quick_channels) {

@@ -63,5 +63,21 @@ using StatusLed = Pin<port_b, 1>;
 using DciSlowdown = Pin<port_b, 0>;    // pulled up; low = slow
 using LightingStrap = Pin<port_c, 5>;  // pulled up; low = lighting fitted
 
+// The switched outputs as bits of their ports, and the pull-ups, which stay.
+constexpr uint8_t switched_b =
+    Actuator1Extend::mask | Actuator1Retract::mask | Actuator2Extend::mask | Actuator2Retract::mask | StatusLed::mask;
+constexpr uint8_t pulled_up_b = DciSlowdown::mask;
+constexpr uint8_t switched_c = LeftIndicator::mask | RightIndicator::mask | Headlight::mask;
+constexpr uint8_t pulled_up_c = LightingStrap::mask;
+
+// Which pins are outputs, of all ports at once.
+inline void write_directions() {
+  BusTransmit::set();  // SB-1.1: recessive before the pin drives
+  DDRA = 0;
+  DDRB = switched_b | MotorRelay::mask;
+  DDRC = switched_c | LeftBrakeRelease::mask | RightBrakeRelease::mask | PowerLatch::mask | BridgeEnable::mask;
+  DDRD = BusTransmit::mask | PwmLeft::mask | PwmRight::mask | LeftForward::mask | RightForward::mask;
+}
+
 }  // namespace avr
 }  // namespace drivers

@@ -39,14 +39,7 @@ void set_duties(uint16_t left, uint16_t right) {
 void make_outputs() {
   avr::PwmLeft::clear();
   avr::PwmRight::clear();
-  avr::PwmLeft::make_output();
-  avr::PwmRight::make_output();
-  avr::LeftForward::make_output();
-  avr::RightForward::make_output();
-  avr::BridgeEnable::make_output();
-  avr::MotorRelay::make_output();
-  avr::LeftBrakeRelease::make_output();
-  avr::RightBrakeRelease::make_output();
+  avr::write_directions();
 }
 
 }  // namespace

@@ -8,6 +8,13 @@
 namespace drivers {
 namespace avr {
 
+// Runs freely at F_CPU / 8 = 1 us. Interrupts must be off. A turn that has been scheduled stays so.
+inline void run_bus_timer() {
+  TCCR3A = 0;
+  TCCR3B = _BV(CS31);
+  TIMSK3 = static_cast<uint8_t>((TIMSK3 & _BV(OCIE3B)) | _BV(OCIE3A));
+}
+
 // Interrupts must be off. `at` is a count of timer 3.
 inline void schedule_silence(uint16_t at) {
   OCR3A = at;

@@ -14,6 +14,7 @@ uint32_t milliseconds = 0;   // by the loop
 uint8_t ticks_seen = 0;      // of those, in `milliseconds`
 
 constexpr uint8_t tick_top = F_CPU / 64 / 1000 - 1;
+constexpr uint8_t half_a_tick = tick_top / 2;
 static_assert(F_CPU == 64UL * 1000 * (tick_top + 1), "timer 0 makes exactly 1 ms");
 
 }  // namespace
@@ -33,18 +34,31 @@ namespace drivers {
 namespace clock {
 
 void start() {
-  TCCR0A = _BV(WGM01);  // CTC
-  OCR0A = tick_top;
-  TCCR0B = _BV(CS01) | _BV(CS00);  // /64
-  OCR0B = tick_top / 2;
+  refresh();
+  OCR0B = half_a_tick;
   TIMSK0 = _BV(OCIE0A);
+  avr::run_bus_timer();
+}
 
-  TCCR3A = 0;            // free running
-  TCCR3B = _BV(CS31);    // /8 = 1 us
-  TIMSK3 = _BV(OCIE3A);  // drivers/avr/bus_timer.hpp
+void refresh() {
+  PRR0 = 0;                        // all clocks run
+  GTCCR = 0;                       // and their common prescaler
+  TCCR0A = _BV(WGM01);             // CTC
+  TCCR0B = _BV(CS01) | _BV(CS00);  // /64
+  if (OCR0A != tick_top) {
+    OCR0A = tick_top;
+  }
+}
+
+void refresh_stamps() {
+  avr::InterruptLock lock;
+  avr::run_bus_timer();
 }
 
 void tick_twice(bool is_wanted) {
+  if (is_wanted) {
+    OCR0B = half_a_tick;
+  }
   TIMSK0 = is_wanted ? _BV(OCIE0A) | _BV(OCIE0B) : _BV(OCIE0A);
 }
 

@@ -12,13 +12,22 @@ extern "C" void hold_power_latch() {
 namespace drivers {
 namespace power_latch {
 
+namespace {
+bool is_held = true;
+}
+
 void hold() {
-  avr::PowerLatch::set();
-  avr::PowerLatch::make_output();
+  is_held = true;
+  refresh();
 }
 
 void release() {
-  avr::PowerLatch::clear();
+  is_held = false;
+  refresh();
+}
+
+void refresh() {
+  avr::PowerLatch::write(is_held);
   avr::PowerLatch::make_output();
 }
 

@@ -99,12 +99,18 @@ ISR(USART0_TX_vect) {
 namespace drivers {
 namespace serial {
 
-void start() {
+static void configure() {
   avr::BusTransmit::set();  // SB-1.1: recessive before the pin drives
   avr::BusTransmit::make_output();
-  UBRR0 = divider;
-  UCSR0A = 0;
+  if (UBRR0 != divider) {  // writing it starts a bit anew
+    UBRR0 = divider;
+  }
+  UCSR0A = 0;                                       // single speed; flags are cleared by ones
   UCSR0C = _BV(UCSZ01) | _BV(UCSZ00) | _BV(USBS0);  // SB-2.1: 8N2
+}
+
+void start() {
+  configure();
   UCSR0B = receiving;
 }
 
@@ -163,6 +169,18 @@ void hush() {
   }
 }
 
+void cut() {
+  avr::InterruptLock lock;
+  avr::cancel_turn();
+  sender.hush();
+  sender.finished();
+  UCSR0B = static_cast<uint8_t>(receiving & ~_BV(TXEN0));  // what is in the shift register still leaves
+}
+
+bool is_all_taken() {
+  return heard.empty() && (UCSR0A & _BV(RXC0)) == 0;
+}
+
 TurnSender::State state() {
   avr::look_again();
   return sender.state();
@@ -179,12 +197,9 @@ bool take_clash() {
 
 void refresh() {
   avr::InterruptLock lock;
-  avr::BusTransmit::make_output();
-  UBRR0L = divider;
-  UCSR0C = _BV(UCSZ01) | _BV(UCSZ00) | _BV(USBS0);
-  if (sender.state() != TurnSender::State::speaking) {
-    UCSR0B = receiving;
-  }
+  configure();
+  const bool is_speaking = sender.state() == TurnSender::State::speaking;
+  UCSR0B = static_cast<uint8_t>(receiving | (is_speaking ? UCSR0B & (_BV(UDRIE0) | _BV(TXCIE0)) : 0));
 }
 
 }  // namespace serial

@@ -3,6 +3,8 @@
 #include <avr/io.h>
 #include <avr/wdt.h>
 
+#include "drivers/avr/interrupt_lock.hpp"
+
 // Why the chip started, saved before anything else: MCUSR must be cleared, or the watchdog cannot be switched
 // off and would bite again during start-up.
 static uint8_t saved_cause __attribute__((section(".noinit")));
@@ -18,11 +20,14 @@ namespace drivers {
 namespace watchdog {
 
 void start() {
-  wdt_enable(WDTO_30MS);
+  feed();
 }
 
 void feed() {
+  avr::InterruptLock lock;  // the second write must follow within four cycles
   wdt_reset();
+  WDTCSR = _BV(WDCE) | _BV(WDE);
+  WDTCSR = _BV(WDE) | _BV(WDP0);  // a reset, and no interrupt, after 4096 cycles of 128 kHz: 32 ms
 }
 
 ResetCause reset_cause() {

@@ -7,6 +7,10 @@ namespace clock {
 
 void start() {}
 
+void refresh() {}
+
+void refresh_stamps() {}
+
 base::Instant now() {
   return host::selected().now;
 }

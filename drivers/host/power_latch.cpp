@@ -9,6 +9,8 @@ void hold() {
   host::selected().latch_held = true;
 }
 
+void refresh() {}
+
 void release() {
   host::selected().latch_held = false;
 }

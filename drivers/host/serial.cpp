@@ -55,6 +55,16 @@ void hush() {
   host::selected().sender.hush();
 }
 
+void cut() {
+  TurnSender& sender = host::selected().sender;
+  sender.hush();
+  sender.finished();
+}
+
+bool is_all_taken() {
+  return host::selected().heard.empty();
+}
+
 TurnSender::State state() {
   return host::selected().sender.state();
 }

@@ -18,6 +18,8 @@ void apply(const Switched& outputs) {
   pins.actuator2_retract = outputs.actuator2_retract && !outputs.actuator2_extend;
 }
 
+void refresh() {}
+
 Sensed sense() {
   return host::selected().sensed;
 }

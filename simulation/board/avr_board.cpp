@@ -91,6 +91,8 @@ class SimulatedChip final : public AvrBoard {
     return image_.address_of(symbol);
   }
   std::uint8_t ram(std::uint16_t address) const override { return core_.avr().data[address]; }
+  void write_ram(std::uint16_t address, std::uint8_t value) override { core_.write(address, value); }
+  int replace_instruction(std::uint16_t from, std::uint16_t to) override { return core_.replace(from, to); }
 
   std::optional<std::uint16_t> stack_low_water() const override {
     const auto end_of_variables = image_.address_of("_end");

@@ -28,6 +28,12 @@ class AvrBoard : public SpmBoard {
   virtual std::optional<std::uint32_t> address_of(const std::string& symbol) const = 0;
   virtual std::uint8_t ram(std::uint16_t address) const = 0;
 
+  // An upset: a register (below 0x100) or a byte of RAM has another value from now on, as if the program had written
+  // it.
+  virtual void write_ram(std::uint16_t address, std::uint8_t value) = 0;
+  // Every instruction `from` of the program becomes `to`. How many there were.
+  virtual int replace_instruction(std::uint16_t from, std::uint16_t to) = 0;
+
   // The lowest address that the stack has reached since power-on, found by the garbage it has overwritten.
   // Nothing without symbols.
   virtual std::optional<std::uint16_t> stack_low_water() const = 0;

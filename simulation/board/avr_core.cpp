@@ -125,6 +125,31 @@ void AvrCore::watch_locks() {
   interrupts_->tell(*lock_watch_);
 }
 
+void AvrCore::write(std::uint16_t address, std::uint8_t value) {
+  constexpr avr_io_addr_t first_register = 0x20;
+  if (address < first_register || address >= first_ram_address) {
+    avr_->data[address] = value;
+    return;
+  }
+  const auto& slot = avr_->io[AVR_DATA_TO_IO(address)];
+  WriteHook{slot.w.c, slot.w.param}(*avr_, address, value);
+  if (slot.irq != nullptr) {  // as simavr does after a write by the program
+    avr_raise_irq(slot.irq + AVR_IOMEM_IRQ_ALL, value);
+  }
+}
+
+int AvrCore::replace(std::uint16_t from, std::uint16_t to) {
+  int count = 0;
+  for (std::size_t at = 0; at + 1 < code_size_; at += 2) {
+    if ((avr_->flash[at] | avr_->flash[at + 1] << 8) == from) {
+      avr_->flash[at] = static_cast<std::uint8_t>(to);
+      avr_->flash[at + 1] = static_cast<std::uint8_t>(to >> 8);
+      ++count;
+    }
+  }
+  return count;
+}
+
 void AvrCore::stop() {
   is_stopping_ = true;
   avr_->run_cycle_count = 0;

@@ -38,6 +38,11 @@ class AvrCore {
   // `again` runs at the end of every reset, the watchdog's included: the place to re-arm timers and levels.
   void on_reset(std::function<void()> again) { reset_calls_.push_back(std::move(again)); }
 
+  // A register with all that its write does, or a byte of RAM.
+  void write(std::uint16_t address, std::uint8_t value);
+  // In the program, wherever an instruction of one word is `from`; how often that was.
+  int replace(std::uint16_t from, std::uint16_t to);
+
   // Watches how long interrupts are off, from now on; call before the first reset. Costs half the speed.
   void watch_locks();
   const AvrLockWatch* lock_watch() const { return lock_watch_.get(); }

@@ -16,7 +16,7 @@ using drivers::host::Machine;
 using drivers::watchdog::ResetCause;
 
 // From reset to the start of the chip's clocks, so that its milliseconds and ours fall together.
-constexpr Time start_up = 1318us;
+constexpr Time start_up = 1600us;
 constexpr Time loop_grain = 500us;  // timer 3; every second one comes with timer 0's millisecond
 constexpr int grains_of_a_millisecond = 2;
 constexpr Time from_receipt_to_silence = 3045us;  // as drivers/avr/serial.cpp

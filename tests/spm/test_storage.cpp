@@ -235,6 +235,7 @@ struct Module {
   void run_ms(int count) {
     for (int i = 0; i < count; ++i) {
       machine.now = machine.now + base::Millis(1);
+      machine.stamp = machine.stamp + base::Micros(1000);
       firmware.pass();
     }
   }

@@ -200,6 +200,7 @@ class Bench {
         begin_to_speak(now_);
         break;
       case spm::Speech::hush:
+      case spm::Speech::cut:
         is_armed_ = false;
         if (now_ < speaking_until_) {
           speaking_until_ = now_;
