@@ -1,6 +1,6 @@
-// A set of the values of one enum, as bits. The enum's values count up from 0 and stay below the number of bits. Questions
-// about one item are always inlined: with the item known they are a bit operation, where an AVR would otherwise shift in a
-// loop.
+// A set of the values of one enum, as bits. The enum's values count up from 0 and stay below the number of bits.
+// Questions about one item are always inlined: with the item known they are a bit operation, where an AVR would
+// otherwise shift in a loop.
 #pragma once
 
 #include <stdint.h>
@@ -19,6 +19,7 @@ class Set {
   }
   // Walking all items in order, without a shift by a variable: first(), then next() of each.
   static constexpr Set first() { return Set(1); }
+  constexpr Set eight_on() const { return Set(static_cast<Bits>(bits_ << 8)); }
   constexpr Set next() const { return Set(static_cast<Bits>(bits_ << 1)); }
 
   __attribute__((always_inline)) constexpr bool has(Item item) const { return has(of(item)); }
