@@ -27,7 +27,8 @@ class AvrBoard : public SpmBoard {
   virtual std::optional<std::uint32_t> address_of(const std::string& symbol) const = 0;
   virtual std::uint8_t ram(std::uint16_t address) const = 0;
 
-  // The lowest address that the stack has reached since power-on, found by the garbage it has overwritten.
+  // The lowest address that the stack has reached since power-on, found by what it has overwritten: garbage, or what
+  // the image's own RAM test left.
   // Nothing without symbols.
   virtual std::optional<std::uint16_t> stack_low_water() const = 0;
   virtual std::vector<InterruptUse> interrupt_use() const = 0;  // by vector

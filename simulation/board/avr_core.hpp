@@ -38,6 +38,10 @@ class AvrCore {
   // `again` runs at the end of every reset, the watchdog's included: the place to re-arm timers and levels.
   void on_reset(std::function<void()> again) { reset_calls_.push_back(std::move(again)); }
 
+  // Flips a bit of the program; sticks one of RAM from now on, which costs half the speed.
+  void flip_flash(std::uint32_t address, int bit);
+  void stick_ram(std::uint32_t address, int bit, bool is_high);
+
   // Watches how long interrupts are off, from now on; call before the first reset. Costs half the speed.
   void watch_locks();
   const AvrLockWatch* lock_watch() const { return lock_watch_.get(); }
@@ -54,6 +58,15 @@ class AvrCore {
     AvrCore* core;
   };
 
+  struct StuckBit {
+    std::uint32_t address;
+    std::uint8_t mask;
+    bool is_high;
+  };
+
+  void force_stuck_bits();
+  bool must_single_step() const { return lock_watch_ != nullptr || !stuck_bits_.empty(); }
+
   void step(Cycle target);
   void sleep_on(Cycle target);
   void stay_frozen(Cycle target);
@@ -68,6 +81,7 @@ class AvrCore {
   std::unique_ptr<AvrLockWatch> lock_watch_;
   ResetHook reset_hook_{};
   std::vector<std::function<void()>> reset_calls_;
+  std::vector<StuckBit> stuck_bits_;
   BoardStatistics statistics_;
   std::size_t code_size_;
   bool is_stopping_ = false;
