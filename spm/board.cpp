@@ -4,6 +4,8 @@
 #include "drivers/bridge.hpp"
 #include "drivers/clock.hpp"
 #include "drivers/power_latch.hpp"
+#include "drivers/retained.hpp"
+#include "drivers/self_test.hpp"
 #include "drivers/serial.hpp"
 #include "drivers/signals.hpp"
 #include "drivers/store.hpp"
@@ -50,6 +52,27 @@ Start start_of(ResetCause cause) {
       break;
   }
   return Start::power_on;
+}
+
+// H-27
+SelfTest self_test_of(drivers::self_test::Result result) {
+  switch (result) {
+    case drivers::self_test::Result::passed:
+      return SelfTest::passed;
+    case drivers::self_test::Result::flash:
+      return SelfTest::flash;
+    case drivers::self_test::Result::flash_later:
+      return SelfTest::flash_later;
+    case drivers::self_test::Result::ram:
+      break;
+  }
+  return SelfTest::ram;
+}
+
+// H-27: a program that may do something else than it was written to do does not get hold of the motors' pins at all:
+// they stay as the reset left them.
+bool may_move(SelfTest result) {
+  return result == SelfTest::passed || result == SelfTest::flash_later;
 }
 
 Speaker speaker_of(base::TurnSender::State state) {
@@ -136,12 +159,21 @@ static_assert(settings_address + settings_copies * settings_spacing <= log_addre
 
 void Board::start() {
   in_.start = start_of(drivers::watchdog::reset_cause());
-  drivers::bridge::start();
+  drivers::self_test::start();
+  in_.self_test = self_test_of(drivers::self_test::result());
+  if (may_move(in_.self_test)) {
+    drivers::bridge::start();
+  }
   drivers::signals::start();
+  in_.start_took = base::Millis(in_.self_test == SelfTest::flash ? drivers::self_test::start_takes_with_wrong_flash
+                                                                 : drivers::self_test::start_takes);
   drivers::serial::start();
   drivers::analog::start();
   drivers::clock::start();
   drivers::watchdog::start();
+  restarts_.begin(drivers::retained::read(), in_.start, drivers::clock::now());
+  drivers::retained::write(restarts_.bytes());
+  in_.has_restarted_often = restarts_.is_looping();
 }
 
 Settings Board::load(Storage& storage) {
@@ -205,17 +237,29 @@ void Board::sense_next() {
 }
 
 void Board::apply(const Outputs& outputs) {
-  speak(outputs);  // first: an answer must not wait for anything
+  speak(outputs);                                             // first: an answer must not wait for anything
   if (in_.heard_count != 0 || outputs.awaited != awaited_) {  // otherwise it still waits for the same character
     awaited_ = outputs.awaited;
     drivers::serial::expect(awaited_);
   }
   drivers::clock::tick_twice(outputs.is_time_pressing);
-  if (!outputs.are_motors_as_before) {
+  if (!outputs.are_motors_as_before && may_move(in_.self_test)) {
     move(outputs);
   }
+  has_looked_at_chip_ = !outputs.are_switches_as_before;
   if (!outputs.are_switches_as_before) {
     switch_over(outputs);
+    look_at_chip();
+  }
+}
+
+// With every house-keeping. What is found counts from the next step on.
+void Board::look_at_chip() {
+  drivers::self_test::step();
+  in_.self_test = self_test_of(drivers::self_test::result());
+  in_.has_stack_overrun = in_.has_stack_overrun || !drivers::self_test::is_stack_intact();
+  if (restarts_.step(last_slow_)) {
+    drivers::retained::write(restarts_.bytes());
   }
 }
 

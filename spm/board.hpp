@@ -4,6 +4,7 @@
 #include "drivers/base/time.hpp"
 #include "spm/inputs.hpp"
 #include "spm/outputs.hpp"
+#include "spm/restart_watch.hpp"
 #include "spm/settings.hpp"
 #include "spm/storage.hpp"
 
@@ -19,16 +20,21 @@ class Board {
   // What the bus says is always new; of voltages, currents and switches one is read each millisecond, in turn.
   const Inputs& sense(base::Instant now);
   void apply(const Outputs& outputs);
+  // Whether the last apply() has looked at the next piece of the chip itself; so it is in every tenth millisecond.
+  bool has_looked_at_chip() const { return has_looked_at_chip_; }
   // Once a millisecond: one byte for the EEPROM, if it is ready for it.
   void store(Storage& storage);
 
  private:
   void sense_bus();
   void sense_next();
+  void look_at_chip();
 
   Inputs in_;
+  RestartWatch restarts_;
   base::Instant last_slow_;
-  uint8_t turn_ = 0;     // whose it is to be read
+  uint8_t turn_ = 0;  // whose it is to be read
+  bool has_looked_at_chip_ = false;
   uint8_t awaited_ = 0;  // as the transceiver was told
 };
 

@@ -57,7 +57,7 @@ RecordBytes make_record(const LogRecord& record);
 
 class EventLog {
  public:
-  static constexpr uint8_t codes = 32;         // codes from 0 to 31 are written, others not
+  static constexpr uint8_t codes = 48;         // codes from 0 to 47 are written, others not
   static constexpr uint8_t rest_seconds = 60;  // of a code that was written
 
   constexpr EventLog() : wanted_(), record_(), rest_() {}

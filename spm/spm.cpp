@@ -44,7 +44,7 @@ const Outputs& Spm::step(const Inputs& in, Instant now) {
     supervise(in, now);
   }
   if (!unlogged_.empty() && !responder_.has_answer()) {
-    log_faults(now);
+    log_faults(in, now);
   }
   do_timed_work(in, now);
   outputs_.is_time_pressing = link_.is_near_silence();
@@ -58,7 +58,7 @@ void Spm::start(const Inputs& in, Instant now) {
   is_started_ = true;
   last_step_ = now;
   motion_.configure(settings_);
-  power_.start(now);
+  power_.start(now + Millis(0U - in.start_took.count()));  // SB-4.4: from the reset on
   fuel_gauge_.start(now);
   record(EventCode::started, static_cast<uint8_t>(in.start), now);  // SB-3.9
   if (in.settings_copy_bad) {
@@ -261,12 +261,16 @@ void Spm::look_for_faults(FaultSet present, Instant now) {
   has_restarted_ = false;
 }
 
-void Spm::log_faults(Instant now) {
+void Spm::log_faults(const Inputs& in, Instant now) {
   FaultSet fault = FaultSet::first();
   for (uint8_t i = 0; i < fault_count; ++i, fault = fault.next()) {
     const uint8_t event = from_flash(fault_rows[i].event);
     if (unlogged_.has(fault) && event != static_cast<uint8_t>(EventCode::none)) {
-      record_code(event, 0, now);
+      if (fault.has(Fault::internal) && in.has_stack_overrun) {  // H-22
+        record(EventCode::stack_overrun, 0, now);
+      } else {
+        record_code(event, fault.has(Fault::self_test) ? static_cast<uint8_t>(in.self_test) : uint8_t{0}, now);
+      }
     }
   }
   unlogged_ = FaultSet();
@@ -287,8 +291,6 @@ void Spm::weigh_inhibits() {
 FaultSet Spm::present_faults(const Inputs& in) const {
   FaultSet present;
   present.put(Fault::internal, motion_.has_refused());
-  present.put(Fault::unexpected_start, is_unexpected(in.start));
-  present.put(Fault::settings_lost, in.settings_lost);
   present.put(Fault::corrupt_packets, link_.has_corrupt_run());
   present.put(Fault::general_missing, link_.is_silent());
   present.put(Fault::remote_restarted, has_restarted_);
@@ -298,7 +300,18 @@ FaultSet Spm::present_faults(const Inputs& in) const {
   present.put(Fault::remote_limps, general_.non_critical_fault);
   present.put(Fault::battery_flat, in.analog_ready && in.battery < Millivolts(settings_[Setting::battery_cutoff]));
   present.put(Fault::out_of_neutral, neutral_.is_violated());
-  return present | output_watch_.faults();  // last: what begins empty costs less
+  return present | output_watch_.faults() | of_the_chip_;  // last: what begins empty costs less
+}
+
+// What the board says about itself, and how it started: once with every house-keeping is often enough.
+FaultSet Spm::faults_of_the_chip(const Inputs& in) {
+  FaultSet present;
+  present.put(Fault::internal, in.has_stack_overrun);               // H-22
+  present.put(Fault::self_test, in.self_test != SelfTest::passed);  // H-27
+  present.put(Fault::restart_loop, in.has_restarted_often);         // H-25
+  present.put(Fault::unexpected_start, is_unexpected(in.start));    // SB-3.9
+  present.put(Fault::settings_lost, in.settings_lost);              // H-20
+  return present;
 }
 
 Inhibits Spm::present_inhibits() const {
@@ -431,6 +444,7 @@ void Spm::keep_house(const Inputs& in, Instant now) {
   kept_house_ = now;
   outputs_.are_switches_as_before = false;
   output_watch_.step(in, outputs_);
+  of_the_chip_ = faults_of_the_chip(in);
   supervise(in, now);
   fuel_gauge_.step(in.battery, motion_.are_brakes_released(), settings_, now);
   led_.step(faults_.summary().system_state, now);
