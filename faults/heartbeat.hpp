@@ -19,7 +19,7 @@ enum class Beat : uint8_t {
   tick,       // the millisecond clock went on
   step,       // the core did a millisecond's work; it may put it off while the bus comes first, never for long
   output,     // motors, brakes, bridge and relay were written to the pins
-  self_test,  // the slow one: the core kept house, whole
+  self_test,  // the slow one: the next piece of the chip itself was looked at
 };
 using Beats = Set<Beat, uint8_t>;
 

@@ -46,10 +46,15 @@ class Manager {
   // Returns the faults that began to count with this call, for the log.
   Faults update(const Row (&rows)[row_count], Faults present, bool is_link_up, base::Instant now) {
     begun_ = Faults();
-    if (present != present_ || is_pending_ || is_link_up != was_link_up_) {
+    if (has_to_walk(present, is_link_up)) {
       walk(rows, present, is_link_up, now);
     }
     return begun_;
+  }
+
+  // Whether update() has anything to do.
+  bool has_to_walk(Faults present, bool is_link_up) const {
+    return present != present_ || is_pending_ || is_link_up != was_link_up_;
   }
 
   // Whether update() would find a condition that was not there before.

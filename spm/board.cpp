@@ -4,6 +4,8 @@
 #include "drivers/bridge.hpp"
 #include "drivers/clock.hpp"
 #include "drivers/power_latch.hpp"
+#include "drivers/retained.hpp"
+#include "drivers/self_test.hpp"
 #include "drivers/serial.hpp"
 #include "drivers/signals.hpp"
 #include "drivers/store.hpp"
@@ -52,6 +54,21 @@ Start start_of(ResetCause cause) {
   return Start::power_on;
 }
 
+// H-27
+SelfTest self_test_of(drivers::self_test::Result result) {
+  switch (result) {
+    case drivers::self_test::Result::passed:
+      return SelfTest::passed;
+    case drivers::self_test::Result::flash:
+      return SelfTest::flash;
+    case drivers::self_test::Result::flash_later:
+      return SelfTest::flash_later;
+    case drivers::self_test::Result::ram:
+      break;
+  }
+  return SelfTest::ram;
+}
+
 Speaker speaker_of(base::TurnSender::State state) {
   switch (state) {
     case base::TurnSender::State::idle:
@@ -66,12 +83,10 @@ Speaker speaker_of(base::TurnSender::State state) {
 
 // Full demand is full duty; the sign goes to the direction pin.
 drivers::bridge::Wheel wheel_of(Demand demand) {
-  drivers::bridge::Wheel wheel;
   const int16_t value = demand.count();
-  wheel.is_forward = value >= 0;
   const uint16_t magnitude = static_cast<uint16_t>(value < 0 ? -value : value);
-  wheel.duty = static_cast<uint16_t>((magnitude - (magnitude >> 9)) >> 5);  // 511/512 of it, in steps of 2^5
-  return wheel;
+  // 511/512 of it, in steps of 2^5
+  return drivers::bridge::Wheel{static_cast<uint16_t>((magnitude - (magnitude >> 9)) >> 5), value >= 0};
 }
 static_assert(full_demand.count() == 1 << 14 && drivers::bridge::full_duty == 511, "511/512 of 2^14 / 2^5");
 
@@ -95,14 +110,10 @@ void speak(const Outputs& outputs) {
 }
 
 void move(const Outputs& outputs) {
-  drivers::bridge::Motion motion;
-  motion.left = wheel_of(outputs.left);
-  motion.right = wheel_of(outputs.right);
-  motion.bridge_enabled = outputs.bridge_enabled;
-  motion.relay_closed = outputs.relay_closed;
-  motion.left_brake_released = outputs.left_brake == Brake::released;
-  motion.right_brake_released = outputs.right_brake == Brake::released;
-  drivers::bridge::apply(motion);
+  // In one: the AVR would first copy the default of every member.
+  drivers::bridge::apply(drivers::bridge::Motion{
+      wheel_of(outputs.left), wheel_of(outputs.right), outputs.bridge_enabled, outputs.relay_closed,
+      outputs.left_brake == Brake::released, outputs.right_brake == Brake::released});
 }
 
 void switch_over(const Outputs& outputs) {
@@ -139,12 +150,18 @@ static_assert(settings_address + settings_copies * settings_spacing <= log_addre
 
 void Board::start() {
   in_.start = start_of(drivers::watchdog::reset_cause());
+  drivers::self_test::start();
+  in_.self_test = self_test_of(drivers::self_test::result());
   drivers::bridge::start();
   drivers::signals::start();
+  in_.start_took = base::Millis(drivers::self_test::start_takes);
   drivers::serial::start();
   drivers::analog::start();
   drivers::clock::start();
   drivers::watchdog::start();
+  restarts_.begin(drivers::retained::read(), in_.start, drivers::clock::now());
+  drivers::retained::write(restarts_.bytes());
+  in_.has_restarted_often = restarts_.is_looping();
 }
 
 Settings Board::load(Storage& storage) {
@@ -167,6 +184,7 @@ const Inputs& Board::sense(base::Instant now) {
   sense_bus();
   if (now != last_slow_) {
     last_slow_ = now;
+    is_new_millisecond_ = true;
     sense_next();
     if (drivers::serial::is_all_taken()) {
       beats_.add(faults::Beat::receive);
@@ -218,13 +236,26 @@ void Board::apply(const Outputs& outputs) {
     drivers::serial::expect(awaited_);
   }
   drivers::clock::tick_twice(outputs.is_time_pressing);
-  if (!outputs.are_motors_as_before) {
+  if (!outputs.are_motors_as_before || is_new_millisecond_) {  // H-27: no upset of a register outlasts two
+    is_new_millisecond_ = false;
     move(outputs);
     beats_.add(faults::Beat::output);
   }
   if (!outputs.are_switches_as_before) {
     switch_over(outputs);
+    look_at_chip();
   }
+}
+
+// With every house-keeping. What is found counts from the next step on.
+void Board::look_at_chip() {
+  drivers::self_test::step();
+  in_.self_test = self_test_of(drivers::self_test::result());
+  in_.has_stack_overrun = in_.has_stack_overrun || !drivers::self_test::is_stack_intact();
+  if (restarts_.step(last_slow_)) {
+    drivers::retained::write(restarts_.bytes());
+  }
+  beats_.add(faults::Beat::self_test);
 }
 
 void Board::store(Storage& storage) {

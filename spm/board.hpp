@@ -5,6 +5,7 @@
 #include "faults/heartbeat.hpp"
 #include "spm/inputs.hpp"
 #include "spm/outputs.hpp"
+#include "spm/restart_watch.hpp"
 #include "spm/settings.hpp"
 #include "spm/storage.hpp"
 
@@ -32,11 +33,14 @@ class Board {
  private:
   void sense_bus();
   void sense_next();
+  void look_at_chip();
 
   Inputs in_;
   faults::Beats beats_;
+  RestartWatch restarts_;
   base::Instant last_slow_;
-  uint8_t turn_ = 0;     // whose it is to be read
+  bool is_new_millisecond_ = false;  // and motors and brakes were not yet written in it
+  uint8_t turn_ = 0;  // whose it is to be read
   uint8_t awaited_ = 0;  // as the transceiver was told
 };
 

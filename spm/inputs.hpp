@@ -22,6 +22,9 @@ constexpr bool is_unexpected(Start start) {
   return start == Start::watchdog || start == Start::brown_out;
 }
 
+// H-27: what the chip's self-test has found; the numbers are those of the event. After the first two no program begins.
+enum class SelfTest : uint8_t { passed = 0, flash = 1, ram = 2, flash_later = 3 };
+
 // What the bus transmitter is doing.
 enum class Speaker : uint8_t { idle, armed, speaking };
 
@@ -42,10 +45,14 @@ struct Inputs {
 
   bool dci_slowdown = false;
   bool lighting_fitted = false;
-  Start start = Start::power_on;   // constant from reset on
-  bool settings_lost = false;      // stored settings could not be read; constant from reset on
-  bool settings_copy_bad = false;  // one of two copies could not; constant from reset on
-  bool is_storing = false;         // something is to be written to the EEPROM, or being written
+  Start start = Start::power_on;     // constant from reset on
+  bool settings_lost = false;        // stored settings could not be read; constant from reset on
+  bool settings_copy_bad = false;    // one of two copies could not; constant from reset on
+  bool is_storing = false;           // something is to be written to the EEPROM, or being written
+  bool has_restarted_often = false;  // H-25: three unexpected starts within 10 s; constant from reset on
+  base::Millis start_took;           // from reset to the first step
+  SelfTest self_test = SelfTest::passed;
+  bool has_stack_overrun = false;  // H-22: it has been where it must never come; stays
 };
 
 }  // namespace spm

@@ -20,9 +20,9 @@ constexpr Millis cycle = 20_ms;  // SB-2.2
 // Between two looks at configuration that no longer changes, in house-keepings (H-27).
 constexpr uint8_t configuration_check = 4;
 constexpr Millis house_keeping = 10_ms;  // between two looks at what changes slowly: battery, supply, gauge, LED
-// Of the first one, counted back from the start: it is due 5 ms later, and the raster lies between that of remotes
-// which begin to speak at a multiple of 10 ms.
-constexpr Millis first_house_keeping = 5_ms;
+// Of the first one, counted back from the start: it is due 10 ms later, and the raster lies between that of remotes
+// which begin to speak at a multiple of 10 ms after wake.
+constexpr Millis first_house_keeping = 0_ms;
 
 // Link supervision
 constexpr faults::LinkSupervisor::Limits link{

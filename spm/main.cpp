@@ -7,13 +7,17 @@ namespace {
 // Placed and initialised by the loader; the one owner of everything the power module knows.
 spm::Firmware firmware;
 
+TURN_OF_THE_LOOP void turn_of_the_loop() {
+  firmware.pass();
+  drivers::idle::wait();
+}
+
 }  // namespace
 
 int main() {
   firmware.start();
   drivers::idle::enable_interrupts();
   for (;;) {
-    firmware.pass();
-    drivers::idle::wait();
+    turn_of_the_loop();
   }
 }

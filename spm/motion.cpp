@@ -80,13 +80,9 @@ __attribute__((noinline)) void Motion::step(const Leave& leave, base::Instant no
     ramps_.stop(profile_);  // SB-2.17
   }
 
-  GateFacts facts;
-  facts.may_drive = leave.may_drive;
-  facts.allows_torque = park_brake_.allows_torque();
-  facts.is_limping = leave.is_limping;
-  facts.general_age = leave.general_age;
   const Wheels asked = ramps_.demand();
-  granted_ = gate_.pass(asked, facts);
+  granted_ =
+      gate_.pass(asked, GateFacts{leave.may_drive, park_brake_.allows_torque(), leave.is_limping, leave.general_age});
   if (granted_ != asked) {
     ramps_.yield_to(granted_);  // H-33: nothing to catch up with later
   }
@@ -94,14 +90,12 @@ __attribute__((noinline)) void Motion::step(const Leave& leave, base::Instant no
     speedo_ = 0;
   }
 
-  ParkBrake::Facts brakes;
   // Both remember what was asked for, so that no flipped bit opens the brakes (H-27).
-  brakes.wants_motion = !command_.is_zero() && (park_brake_.is_released() || !ramps_.target().is_zero());
-  brakes.may_drive = gate_.has_leave();
-  brakes.may_release = leave.may_release;
-  brakes.are_coils_on = leave.are_coils_on;
-  brakes.is_demand_zero = granted_.is_zero();
-  park_brake_.step(brake_times_, brakes, now);
+  const bool wants_motion = !command_.is_zero() && (park_brake_.is_released() || !ramps_.target().is_zero());
+  park_brake_.step(
+      brake_times_,
+      ParkBrake::Facts{wants_motion, gate_.has_leave(), leave.may_release, leave.are_coils_on, granted_.is_zero()},
+      now);
 }
 
 }  // namespace spm

@@ -44,7 +44,7 @@ const Outputs& Spm::step(const Inputs& in, Instant now) {
     supervise(in, now);
   }
   if (!unlogged_.empty() && !responder_.has_answer()) {
-    log_faults(now);
+    log_faults(in, now);
   }
   do_timed_work(in, now);
   outputs_.is_time_pressing = link_.is_near_silence();
@@ -59,7 +59,7 @@ void Spm::start(const Inputs& in, Instant now) {
   last_step_ = now;
   settings_sum_ = settings_.sum();
   motion_.configure(settings_);
-  power_.start(now);
+  power_.start(now + Millis(0U - in.start_took.count()));  // SB-4.4: from the reset on
   fuel_gauge_.start(now);
   record(EventCode::started, static_cast<uint8_t>(in.start), now);  // SB-3.9
   if (in.settings_copy_bad) {
@@ -261,18 +261,30 @@ void Spm::supervise(const Inputs& in, Instant now) {
   weigh_inhibits();
 }
 
+// The usual case is that nothing has changed; the walk has a function of its own, so that this does not save its
+// registers.
 void Spm::look_for_faults(FaultSet present, Instant now) {
   has_news_ = false;
-  unlogged_ = unlogged_ | faults_.update(fault_rows, present, link_.is_up(), now);
+  if (faults_.has_to_walk(present, link_.is_up())) {
+    walk_faults(present, now);
+  }
   has_restarted_ = false;
 }
 
-void Spm::log_faults(Instant now) {
+__attribute__((noinline)) void Spm::walk_faults(FaultSet present, Instant now) {
+  unlogged_ = unlogged_ | faults_.update(fault_rows, present, link_.is_up(), now);
+}
+
+void Spm::log_faults(const Inputs& in, Instant now) {
   FaultSet fault = FaultSet::first();
   for (uint8_t i = 0; i < fault_count; ++i, fault = fault.next()) {
     const uint8_t event = from_flash(fault_rows[i].event);
     if (unlogged_.has(fault) && event != static_cast<uint8_t>(EventCode::none)) {
-      record_code(event, 0, now);
+      if (fault.has(Fault::internal) && in.has_stack_overrun) {  // H-22
+        record(EventCode::stack_overrun, 0, now);
+      } else {
+        record_code(event, fault.has(Fault::self_test) ? static_cast<uint8_t>(in.self_test) : uint8_t{0}, now);
+      }
     }
   }
   unlogged_ = FaultSet();
@@ -297,8 +309,6 @@ void Spm::weigh_inhibits() {
 FaultSet Spm::present_faults(const Inputs& in) const {
   FaultSet present;
   present.put(Fault::internal, motion_.has_refused() || has_upset_ || do_clocks_differ_);
-  present.put(Fault::unexpected_start, is_unexpected(in.start));
-  present.put(Fault::settings_lost, in.settings_lost);
   present.put(Fault::corrupt_packets, link_.has_corrupt_run());
   present.put(Fault::general_missing, link_.is_silent());
   present.put(Fault::remote_restarted, has_restarted_);
@@ -308,7 +318,18 @@ FaultSet Spm::present_faults(const Inputs& in) const {
   present.put(Fault::remote_limps, healthy_generals_ < limits::healthy_proof);  // H-06
   present.put(Fault::battery_flat, in.analog_ready && in.battery < Millivolts(settings_[Setting::battery_cutoff]));
   present.put(Fault::out_of_neutral, neutral_.is_violated());
-  return present | output_watch_.faults();  // last: what begins empty costs less
+  return present | output_watch_.faults() | of_the_chip_;  // last: what begins empty costs less
+}
+
+// What the board says about itself, and how it started: once with every house-keeping is often enough.
+FaultSet Spm::faults_of_the_chip(const Inputs& in) {
+  FaultSet present;
+  present.put(Fault::internal, in.has_stack_overrun);               // H-22
+  present.put(Fault::self_test, in.self_test != SelfTest::passed);  // H-27
+  present.put(Fault::restart_loop, in.has_restarted_often);         // H-25
+  present.put(Fault::unexpected_start, is_unexpected(in.start));    // SB-3.9
+  present.put(Fault::settings_lost, in.settings_lost);              // H-20
+  return present;
 }
 
 Inhibits Spm::present_inhibits() const {
@@ -424,14 +445,14 @@ void Spm::move(Millis late, Instant now) {
     record(EventCode::time_was_lost, narrow<uint8_t>(late > 255_ms ? 255U : late.count()), now);
     last_step_ = now + Millis(0U - uint32_t{longest_catch_up});
   }
-  Motion::Leave leave;
-  leave.must_cut = output_watch_.must_cut();
-  leave.may_release = output_watch_.are_bridges_proven();
-  leave.are_coils_on = output_watch_.are_coils_on();
   // More than the set needs: each of these is kept twice, so that no flipped bit gives leave (H-27).
-  leave.may_drive = inhibits_.empty() && !neutral_.is_awaited() && !faults_.summary().must_stop;
-  leave.is_limping = faults_.summary().is_limping;
-  leave.general_age = now - general_at_;
+  const bool may_drive = inhibits_.empty() && !neutral_.is_awaited() && !faults_.summary().must_stop;
+  const Motion::Leave leave{may_drive,
+                            faults_.summary().is_limping,
+                            now - general_at_,
+                            output_watch_.must_cut(),
+                            output_watch_.are_bridges_proven(),
+                            output_watch_.are_coils_on()};
   while (last_step_ != now) {
     last_step_ = last_step_ + 1_ms;
     motion_.step(leave, last_step_);
@@ -440,7 +461,7 @@ void Spm::move(Millis late, Instant now) {
   outputs_.right = motion_.demand().right;
   outputs_.left_brake = outputs_.right_brake = motion_.are_brakes_released() ? Brake::released : Brake::engaged;
   outputs_.bridge_enabled = motion_.are_brakes_released();
-  outputs_.relay_closed = motion_.are_brakes_released() || leave.may_drive;
+  outputs_.relay_closed = motion_.are_brakes_released() || may_drive;
   outputs_.are_motors_as_before = false;
   beats_.add(faults::Beat::step);
 }
@@ -451,12 +472,11 @@ void Spm::keep_house(const Inputs& in, Instant now) {
   output_watch_.step(in, outputs_);
   check_memory(now);
   compare_clocks(in, now);
+  of_the_chip_ = faults_of_the_chip(in);
   supervise(in, now);
   fuel_gauge_.step(in.battery, motion_.are_brakes_released(), settings_, now);
   led_.step(faults_.summary().system_state, now);
   outputs_.status_led = led_.is_on();
-  // H-25: whoever tests flash and RAM, a piece each time, says so here.
-  beats_.add(faults::Beat::self_test);
   manage_power(in, now);
 }
 

@@ -91,9 +91,11 @@ class Spm {
 
   void supervise(const Inputs& in, base::Instant now);
   void look_for_faults(FaultSet present, base::Instant now);
-  void log_faults(base::Instant now);
+  void walk_faults(FaultSet present, base::Instant now);
+  void log_faults(const Inputs& in, base::Instant now);
   void weigh_inhibits();
   FaultSet present_faults(const Inputs& in) const;
+  static FaultSet faults_of_the_chip(const Inputs& in);
   Inhibits present_inhibits() const;
 
   void answer_general(base::Millis period, base::Instant now);
@@ -141,6 +143,7 @@ class Spm {
   bool are_settings_due_ = false;
 
   faults::Manager<Fault, fault_count, FaultBits> faults_;
+  FaultSet of_the_chip_;                                       // see faults_of_the_chip()
   FaultSet unlogged_;                                          // begun, not yet in the log: an answer went first
   base::Grant stop_is_over_{true};                             // no emergency stop is on its way (SB-2.17)
   Inhibits inhibits_ = Inhibits::of(Inhibit::no_general_yet);  // never empty before it has been weighed

@@ -15,16 +15,28 @@ add_link_options(-mmcu=${MCU} -Wl,--gc-sections)
 
 set(CMAKE_CXX_STANDARD 14)
 
-# add_image(NAME SOURCE...) makes NAME.elf and, beside it, NAME.hex (flash) and NAME.eep (EEPROM).
+# Puts the checksum over the flash into the image (H-27). The simulator loads that ELF, the .hex is made from it.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+set(CHECKSUM_TOOL ${CMAKE_SOURCE_DIR}/drivers/avr/checksum)
+
+# add_image(NAME [CHECKED] SOURCE...) makes NAME.elf and, beside it, NAME.hex (flash) and NAME.eep (EEPROM).
 #
 # All sources are compiled as one, which the compiler is told is the whole program. That saves a third of the run time
 # against separate files; avr-gcc's link-time optimiser would do the same, but it loses the line numbers and crashes on
 # the overflow checks.
+#
+# CHECKED: it tests its own flash, so the checksum is put in after linking.
 function(add_image name)
-  add_executable(${name} ${ARGN})
+  cmake_parse_arguments(PARSE_ARGV 1 image "CHECKED" "" "")
+  add_executable(${name} ${image_UNPARSED_ARGUMENTS})
   set_target_properties(${name} PROPERTIES SUFFIX .elf UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   target_compile_options(${name} PRIVATE -fwhole-program)
   target_link_options(${name} PRIVATE -Wl,-Map=$<TARGET_FILE_DIR:${name}>/${name}.map)
+  if(image_CHECKED)
+    set_target_properties(${name} PROPERTIES LINK_DEPENDS ${CHECKSUM_TOOL})
+    add_custom_command(TARGET ${name} POST_BUILD COMMAND ${Python3_EXECUTABLE} ${CHECKSUM_TOOL} $<TARGET_FILE:${name}>
+                       VERBATIM)
+  endif()
   add_custom_command(
     TARGET ${name} POST_BUILD
     COMMAND ${CMAKE_OBJCOPY} -O ihex -j .text -j .data $<TARGET_FILE:${name}> ${name}.hex
@@ -35,5 +47,5 @@ endfunction()
 
 file(GLOB avr_driver_sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/drivers/avr/*.cpp)
 add_library(pilotfish_core STATIC ${core_sources})  # for the tests' programs; and each file must compile by itself
-add_image(spm ${CMAKE_SOURCE_DIR}/spm/main.cpp ${CMAKE_SOURCE_DIR}/spm/eeprom_image.cpp ${core_sources}
+add_image(spm CHECKED ${CMAKE_SOURCE_DIR}/spm/main.cpp ${CMAKE_SOURCE_DIR}/spm/eeprom_image.cpp ${core_sources}
           ${avr_driver_sources})

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <set>
+#include <utility>
 
 #include "drivers/analog.hpp"
 #include "drivers/base/heard_byte.hpp"
@@ -13,6 +15,8 @@
 #include "drivers/base/turn_sender.hpp"
 #include "drivers/base/wake_count.hpp"
 #include "drivers/bridge.hpp"
+#include "drivers/retained.hpp"
+#include "drivers/self_test.hpp"
 #include "drivers/signals.hpp"
 #include "drivers/store.hpp"
 #include "drivers/watchdog.hpp"
@@ -28,6 +32,9 @@ struct Machine {
   signals::Sensed sensed;
   std::array<std::uint16_t, analog::channel_count> analog_raw{};  // 0 to 1023
   watchdog::ResetCause reset_cause = watchdog::ResetCause::power_on;
+  std::set<std::pair<std::uint32_t, int>> wrong_flash;  // bits: address and number
+  bool is_ram_sound = true;
+  bool is_stack_intact = true;
 
   // Filled by hear(), emptied by the firmware.
   base::Ring<base::HeardByte, 64> heard;
@@ -45,6 +52,12 @@ struct Machine {
   std::array<std::uint8_t, store::size> eeprom;  // erased (0xFF) when new
   bool is_store_writing = false;
   base::Instant store_written_at;
+
+  retained::Bytes retained{};
+  // Of the self-test: what the program has found, and how far its round has come.
+  self_test::Result self_test = self_test::Result::passed;
+  std::uint32_t next_checked = 0;
+  bool is_round_wrong = false;
 
   Machine() { eeprom.fill(0xFF); }
 

@@ -12,6 +12,10 @@
 namespace simulation {
 namespace {
 
+// What an image that tests its RAM leaves behind (drivers/avr/start_up.cpp).
+constexpr std::uint16_t bytes_of_guard = 16;
+constexpr std::uint8_t left_by_ram_test = 0xF0;
+
 class SimulatedChip final : public AvrBoard {
  public:
   explicit SimulatedChip(const AvrBoardOptions& options)
@@ -52,6 +56,14 @@ class SimulatedChip final : public AvrBoard {
   void reset(ResetKind kind, Time) override {
     if (is_powered_) {
       core_.reset(kind);
+    }
+  }
+
+  void upset(const Upset& upset) override {
+    if (upset.memory == Upset::Memory::flash) {
+      core_.flip_flash(upset.address, upset.bit);
+    } else {
+      core_.stick_ram(upset.address, upset.bit, upset.is_stuck_high);
     }
   }
 
@@ -99,8 +111,9 @@ class SimulatedChip final : public AvrBoard {
     if (!end_of_variables) {
       return std::nullopt;
     }
-    auto address = static_cast<std::uint16_t>(*end_of_variables);
-    while (address < core_.avr().ramend && ram(address) == AvrCore::garbage(address)) {
+    const bool is_tested = image_.address_of("test_memory").has_value();
+    auto address = static_cast<std::uint16_t>(*end_of_variables + (is_tested ? bytes_of_guard : 0));
+    while (address < core_.avr().ramend && ram(address) == (is_tested ? left_by_ram_test : AvrCore::garbage(address))) {
       ++address;
     }
     return address;

@@ -34,7 +34,8 @@ class AvrBoard : public SpmBoard {
   // Every instruction `from` of the program becomes `to`. How many there were.
   virtual int replace_instruction(std::uint16_t from, std::uint16_t to) = 0;
 
-  // The lowest address that the stack has reached since power-on, found by the garbage it has overwritten.
+  // The lowest address that the stack has reached since power-on, found by what it has overwritten: garbage, or what
+  // the image's own RAM test left.
   // Nothing without symbols.
   virtual std::optional<std::uint16_t> stack_low_water() const = 0;
   // The byte that is being written into the EEPROM at this moment; and a supply that fails at this moment and leaves

@@ -13,6 +13,8 @@ constexpr avr_cycle_count_t burst_limit = 1'000'000;
 constexpr avr_cycle_count_t single_step = 1;
 constexpr std::size_t most_complaints = 100;
 constexpr std::size_t whole_data_space = 0x10000;
+constexpr std::size_t whole_program_space =
+    0x1000000;  // as far as RAMPZ and Z reach; never touched, so it costs nothing
 
 // RJMP .-2 behind the last word wraps to address 0 as silicon does; simavr's own marker would print.
 constexpr std::uint8_t wrap_to_zero[] = {0xFF, 0xCF};
@@ -58,6 +60,8 @@ avr_t* make_chip(const std::string& mcu, AvrCore* core) {
   // A wild write lands in simavr's array before its crash takes effect: let every address have a place.
   avr->data = static_cast<std::uint8_t*>(std::realloc(avr->data, whole_data_space));
   std::fill(avr->data + avr->ramend + 1, avr->data + whole_data_space, std::uint8_t{0});
+  // The same for a wild ELPM.
+  avr->flash = static_cast<std::uint8_t*>(std::realloc(avr->flash, whole_program_space));
   return avr;
 }
 
@@ -150,6 +154,28 @@ int AvrCore::replace(std::uint16_t from, std::uint16_t to) {
   return count;
 }
 
+void AvrCore::flip_flash(std::uint32_t address, int bit) {
+  if (address <= avr_->flashend) {
+    avr_->flash[address] = static_cast<std::uint8_t>(avr_->flash[address] ^ 1U << bit);
+  }
+}
+
+void AvrCore::stick_ram(std::uint32_t address, int bit, bool is_high) {
+  if (address >= first_ram_address && address <= avr_->ramend) {
+    stuck_bits_.push_back({address, static_cast<std::uint8_t>(1U << bit), is_high});
+    avr_->run_cycle_limit = single_step;
+    force_stuck_bits();
+  }
+}
+
+// No instruction reads a byte of RAM after having written it, so after each of them is often enough.
+void AvrCore::force_stuck_bits() {
+  for (const StuckBit& stuck : stuck_bits_) {
+    std::uint8_t& byte = avr_->data[stuck.address];
+    byte = static_cast<std::uint8_t>(stuck.is_high ? byte | stuck.mask : byte & ~stuck.mask);
+  }
+}
+
 void AvrCore::stop() {
   is_stopping_ = true;
   avr_->run_cycle_count = 0;
@@ -175,6 +201,7 @@ void AvrCore::run_instructions() {
   if (lock_watch_) {
     lock_watch_->after_instruction(address);
   }
+  force_stuck_bits();
   if (avr_->state == cpu_Sleeping) {
     fall_asleep();
   }
@@ -259,10 +286,11 @@ void AvrCore::reset(ResetKind kind) {
   avr_reset(avr_);
   avr_->data[cause] = causes;  // the causes add up until the program clears them
   has_strayed_ = was_asleep_ = false;
+  force_stuck_bits();
 }
 
 void AvrCore::after_reset() {
-  avr_->run_cycle_limit = lock_watch_ ? single_step : burst_limit;
+  avr_->run_cycle_limit = must_single_step() ? single_step : burst_limit;
   if (lock_watch_) {
     lock_watch_->after_reset();
   }

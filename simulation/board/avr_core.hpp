@@ -42,6 +42,9 @@ class AvrCore {
   void write(std::uint16_t address, std::uint8_t value);
   // In the program, wherever an instruction of one word is `from`; how often that was.
   int replace(std::uint16_t from, std::uint16_t to);
+  // Flips a bit of the program; sticks one of RAM from now on, which costs half the speed.
+  void flip_flash(std::uint32_t address, int bit);
+  void stick_ram(std::uint32_t address, int bit, bool is_high);
 
   // Watches how long interrupts are off, from now on; call before the first reset. Costs half the speed.
   void watch_locks();
@@ -59,6 +62,15 @@ class AvrCore {
     AvrCore* core;
   };
 
+  struct StuckBit {
+    std::uint32_t address;
+    std::uint8_t mask;
+    bool is_high;
+  };
+
+  void force_stuck_bits();
+  bool must_single_step() const { return lock_watch_ != nullptr || !stuck_bits_.empty(); }
+
   void step(Cycle target);
   void sleep_on(Cycle target);
   void stay_frozen(Cycle target);
@@ -73,6 +85,7 @@ class AvrCore {
   std::unique_ptr<AvrLockWatch> lock_watch_;
   ResetHook reset_hook_{};
   std::vector<std::function<void()>> reset_calls_;
+  std::vector<StuckBit> stuck_bits_;
   BoardStatistics statistics_;
   std::size_t code_size_;
   bool is_stopping_ = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "drivers/host/machine.hpp"
 #include "drivers/power_latch.hpp"
@@ -15,8 +16,6 @@ namespace {
 using drivers::host::Machine;
 using drivers::watchdog::ResetCause;
 
-// From reset to the start of the chip's clocks, so that its milliseconds and ours fall together.
-constexpr Time start_up = 1600us;
 constexpr Time loop_grain = 500us;  // timer 3; every second one comes with timer 0's millisecond
 constexpr int grains_of_a_millisecond = 2;
 constexpr Time from_receipt_to_silence = 3045us;  // as drivers/avr/serial.cpp
@@ -62,14 +61,29 @@ class HostBoard final : public SpmBoard, public InsideView {
     }
   }
 
+  void upset(const Upset& upset) override {
+    if (upset.memory == Upset::Memory::ram) {
+      machine_.is_ram_sound = false;
+    } else if (const std::pair bit(upset.address, upset.bit); machine_.wrong_flash.erase(bit) == 0) {
+      machine_.wrong_flash.insert(bit);
+    }
+  }
+
   Time run_until(Time limit) override {
     while (is_powered_) {
-      const Time next = std::min({next_grain_, silence_due_, transmitter_.due()});
+      const Time next = std::min({begin_due_, next_grain_, silence_due_, switch_off_due_, transmitter_.due()});
       if (next > limit) {
         break;
       }
-      if (next == next_grain_) {
+      if (next == begin_due_) {
+        begin_due_ = Time::max();
+        begin();
+      } else if (next == next_grain_) {
         run_grain();
+      } else if (next == switch_off_due_) {
+        switch_off_due_ = Time::max();
+        drivers::host::select(machine_);
+        drivers::power_latch::release();
       } else if (next == silence_due_) {
         silence_due_ = Time::max();
         set_stamp(next);
@@ -85,7 +99,7 @@ class HostBoard final : public SpmBoard, public InsideView {
   }
 
   void hear(const Reception& reception) override {
-    if (!is_powered_) {
+    if (!is_powered_ || is_starting()) {
       return;
     }
     set_stamp(reception.at);
@@ -123,23 +137,43 @@ class HostBoard final : public SpmBoard, public InsideView {
   }
 
  private:
-  // From reset to the first turn of the loop.
+  // What a reset does, and the chip before it comes to its program.
   void start(ResetKind kind, Time now) {
-    const auto eeprom = machine_.eeprom;
+    Machine old = std::move(machine_);
     machine_ = Machine();
-    machine_.eeprom = eeprom;
+    machine_.eeprom = old.eeprom;
+    machine_.wrong_flash = std::move(old.wrong_flash);
+    machine_.is_ram_sound = old.is_ram_sound;
+    if (kind != ResetKind::power_on) {
+      machine_.retained = old.retained;
+    }
     machine_.reset_cause = cause_of(kind);
     transmitter_ = HostTransmitter(machine_.sender);
     firmware_ = spm::Firmware();
-    started_ = now + start_up;
+    started_ = now + host_start_up;
     next_grain_ = started_ + loop_grain;
-    silence_due_ = Time::max();
+    silence_due_ = switch_off_due_ = Time::max();
     grain_ = 0;
+    begin_due_ = started_;
+    machine_.motion.left.is_forward = machine_.motion.right.is_forward = false;  // pull-downs
     sense();
     drivers::host::select(machine_);
     drivers::power_latch::hold();  // SB-1.2
+  }
+
+  // Nothing is heard: the program has not begun, or never will.
+  bool is_starting() const { return begin_due_ != Time::max() || next_grain_ == Time::max(); }
+
+  // The first turn of the loop.
+  void begin() {
+    drivers::host::select(machine_);
+    if (!machine_.wrong_flash.empty() || !machine_.is_ram_sound) {  // no program begins
+      next_grain_ = Time::max();
+      switch_off_due_ = started_ - host_start_up + 5s;  // SB-4.4
+      return;
+    }
     firmware_.start();
-    pass(now);
+    pass(started_);
   }
 
   void run_grain() {
@@ -180,8 +214,10 @@ class HostBoard final : public SpmBoard, public InsideView {
   bool is_powered_ = false;
   std::uint32_t resets_ = 0;
   Time started_{};
+  Time begin_due_ = Time::max();
   Time next_grain_{};
   Time silence_due_ = Time::max();
+  Time switch_off_due_ = Time::max();  // by a chip that has failed its self-test
   int grain_ = 0;
 };
 

@@ -52,6 +52,15 @@ struct Reception {
 
 enum class ResetKind { power_on, external, brown_out, watchdog };
 
+// A bit of the chip's memory that is not what it should be.
+struct Upset {
+  enum class Memory { flash, ram };
+  Memory memory = Memory::flash;
+  std::uint32_t address = 0;
+  int bit = 0;                 // 0 to 7
+  bool is_stuck_high = false;  // RAM: it stays at that level from now on. A bit of flash flips, once
+};
+
 struct BoardStatistics {
   std::uint64_t cycles = 0;  // CPU cycles run; 0 on the host
   std::uint64_t cycles_asleep = 0;
@@ -71,6 +80,7 @@ class SpmBoard {
   virtual void power(bool on, Time now) = 0;
   virtual bool is_powered() const = 0;
   virtual void reset(ResetKind kind, Time now) = 0;
+  virtual void upset(const Upset& upset) = 0;  // outlives resets and the supply
 
   // Runs the firmware up to `limit`. Comes back early, right after it began a character, so that the world can
   // schedule what that causes. Returns the time reached (for a board without power: `limit`).

@@ -30,7 +30,7 @@ std::vector<Clause> power_clauses() {
       {"H-15.1", "The latch is held soon after power or reset",
        "20 ms", "SB-1.2", M::millisecond, is_latched_late},
       {"H-16.2", "The latch is let go only after two confirms in a row of a told power down now, or when the remote is gone",
-       "gone for 4980 ms, or 480 ms with power down now", "SB-4.3, SB-4.4", M::millisecond, lets_go_without_reason},
+       "gone for 4980 ms, or 480 ms with power down now; a module that never spoke has heard nobody", "SB-4.3, SB-4.4", M::millisecond, lets_go_without_reason},
       {"H-16.3", "Confirmed and at rest, the latch is let go",
        "200 ms", "SB-4.3", M::millisecond, [](const Scene& scene) { return scene.supply.is_overdue_after_confirm(scene.now); }},
   };

@@ -64,6 +64,7 @@ void Scene::take_own(const BusByte& byte) {
   said = {};
   said.byte = byte;
   said.begins_turn = speech.take(byte, turn_known_at(byte.start));
+  supply.spoke();
   ear_.hear_own(byte);
   if (byte.start < turn_.last) {
     speech.collide();

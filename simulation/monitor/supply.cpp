@@ -66,6 +66,9 @@ bool Supply::may_sleep(Time now) const {
 
 bool Supply::may_let_go(Time now) const {
   const Time silence = now - heard_;
+  if (!has_spoken_ && now - began_ >= limits::lost_least) {  // a chip that has failed its self-test hears nobody
+    return true;
+  }
   return confirmed_ || silence >= limits::lost_least || (asked_ && silence >= limits::unconfirmed_least);
 }
 

@@ -14,6 +14,8 @@ class Supply {
   void begin_anew(Time now);
   void general(const SrGeneral& packet);
   void report(const SpmGeneral& packet);  // of the power module
+  // A character of the power module: it lives.
+  void spoke() { has_spoken_ = true; }
   // Any packet of the remote that keeps the power on.
   void heard(Time at, bool is_doubtful);
   // Each millisecond; `is_still`: no duty, brakes engaged.
@@ -57,6 +59,7 @@ class Supply {
   bool is_latched_ = false;
   bool was_ever_latched_ = false;
   bool has_let_go_ = false;
+  bool has_spoken_ = false;  // since power or reset
 };
 
 }  // namespace simulation::monitor

@@ -178,6 +178,37 @@ std::optional<Action> break_part(const YAML::Node& value, Table&, Problems& prob
   return read_side(damage, true, value, problems);
 }
 
+constexpr int first_ram_byte = 0x100;  // of the ATmega1284P
+constexpr int last_ram_byte = 0x40FF;
+constexpr int last_checked_byte = 0x94FF;  // of the flash
+
+std::optional<Action> flip_flash(const YAML::Node& value, Table& fault, Problems& problems) {
+  const auto bit = fault.need("bit");
+  const auto address = read_integer(value, 0, last_checked_byte, problems);
+  if (!address || !bit) {
+    return std::nullopt;
+  }
+  Upset upset;
+  upset.address = static_cast<std::uint32_t>(*address);
+  upset.bit = read_integer(*bit, 0, 7, problems).value_or(0);
+  return SpoilMemory{upset};
+}
+
+std::optional<Action> stick_ram(const YAML::Node& value, Table& fault, Problems& problems) {
+  const auto bit = fault.need("bit");
+  const auto level = fault.need("level");
+  const auto address = read_integer(value, first_ram_byte, last_ram_byte, problems);
+  if (!address || !bit || !level) {
+    return std::nullopt;
+  }
+  Upset upset;
+  upset.memory = Upset::Memory::ram;
+  upset.address = static_cast<std::uint32_t>(*address);
+  upset.bit = read_integer(*bit, 0, 7, problems).value_or(0);
+  upset.is_stuck_high = read_choice(*level, {"low", "high"}, problems).value_or("low") == "high";
+  return SpoilMemory{upset};
+}
+
 }  // namespace
 
 const std::vector<FaultWord>& fault_words() {
@@ -210,6 +241,10 @@ const std::vector<FaultWord>& fault_words() {
        break_part<Damage::stuck_bridge>},
       {"open motor", "fault: {open motor: left}", "the wire is off: no current, until 'restore'",
        break_part<Damage::open_motor>},
+      {"flash bit", "fault: {flash bit: 38000, bit: 3}",
+       "one bit of the power module's program flips, in the chip; the same again flips it back", flip_flash},
+      {"stuck RAM bit", "fault: {stuck RAM bit: 9000, bit: 3, level: high}",
+       "one bit of the power module's RAM (256 to 16639) cannot be changed any more, in the chip", stick_ram},
   };
   return words;
 }

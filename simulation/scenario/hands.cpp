@@ -278,6 +278,16 @@ std::string Hands::apply(const Break& broken) {
   return tell("motor's wire", "is off");
 }
 
+std::string Hands::apply(const SpoilMemory& spoiled) {
+  const Upset& upset = spoiled.upset;
+  world_.board().upset(upset);
+  if (upset.memory == Upset::Memory::flash) {
+    return fmt::format("bit {} of the flash's byte {} flips", upset.bit, upset.address);
+  }
+  return fmt::format("bit {} of the RAM's byte {} is stuck {}", upset.bit, upset.address,
+                     upset.is_stuck_high ? "high" : "low");
+}
+
 std::string Hands::apply(const Slope& slope) {
   world_.chair().set_slope(slope.degrees);
   return fmt::format("the ground is at {}", show(slope.degrees, Measure::angle));

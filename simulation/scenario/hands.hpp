@@ -26,6 +26,7 @@ class Hands {
   std::string apply(const Jam& jam);
   std::string apply(const WakePulse& pulse);
   std::string apply(const Break& broken);
+  std::string apply(const SpoilMemory& spoiled);
   std::string apply(const Slope& slope);
   std::string apply(const Battery& battery);
   std::string apply(const Reset& reset);

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "simulation/board/spm_board.hpp"
 #include "simulation/bus_event.hpp"
 #include "simulation/models/chair.hpp"
 #include "simulation/models/remote.hpp"
@@ -110,6 +111,10 @@ struct Break {  // a part of the chair, or mend it
   bool is_broken = true;
 };
 
+struct SpoilMemory {  // of the power module's chip
+  Upset upset;
+};
+
 struct Slope {
   double degrees = 0;
 };
@@ -120,7 +125,7 @@ enum class Reset { watchdog, brown_out, external };
 
 using Action = std::variant<Say, Note, Wait, WaitForMidCycle, PressPower, SetControls, SetRemote, SetSacu,
                             UseProgrammer, Expect, Hold, Never, Send, StopSending, CutCable, MendCable, Disturb, Babble,
-                            Jam, WakePulse, Break, Slope, Battery, Reset>;
+                            Jam, WakePulse, Break, SpoilMemory, Slope, Battery, Reset>;
 
 struct Step {
   Mark mark;

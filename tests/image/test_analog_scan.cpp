@@ -29,7 +29,7 @@ TEST_CASE("what driving depends on is measured anew every 5 ms, the other channe
   };
   chip->surround({.analog_volts = first});
   chip->power(true, now);
-  run(50ms);
+  run(300ms);  // the self-test, and a round of conversions
   for (unsigned channel = 0; channel < 8; ++channel) {
     CAPTURE(channel);
     CHECK(shows(first, channel));

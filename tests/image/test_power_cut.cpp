@@ -17,6 +17,10 @@ using Bytes = std::vector<std::uint8_t>;
 constexpr std::size_t log_at = 2048;
 constexpr std::size_t places = 256;
 
+// The image tests itself for so long before it begins.
+constexpr Time self_test = 225ms;
+constexpr Time until_start_is_written = self_test + 250ms;
+
 std::string image() {
   return std::string(PILOTFISH_IMAGE_DIR) + "/spm.elf";
 }
@@ -81,7 +85,7 @@ TEST_CASE("a supply that fails while the start is written costs the oldest recor
   const Bytes before = old_log();
   int torn = 0;
   int written = 0;
-  for (Time cut = 120ms; cut < 175ms; cut += 370us) {
+  for (Time cut = self_test + 120ms; cut < self_test + 175ms; cut += 370us) {
     CAPTURE(cut.count());
     Chip chip(before);
     chip.board->power(true, chip.now);
@@ -97,7 +101,7 @@ TEST_CASE("a supply that fails while the start is written costs the oldest recor
     written += is_new ? 1 : 0;
 
     chip.board->power(true, chip.now);
-    chip.run(250ms);
+    chip.run(until_start_is_written);
     REQUIRE(chip.is_safe());
     const Bytes after = chip.board->eeprom();
     const std::size_t next = is_new ? 101 : 100;
@@ -119,13 +123,13 @@ TEST_CASE("a supply that fails while the start is written costs the oldest recor
 }
 
 TEST_CASE("a reset during a write lets it end, and the start after it is written behind", "[H-20][SB-3.9]") {
-  for (Time at = 130ms; at < 170ms; at += 1700us) {
+  for (Time at = self_test + 130ms; at < self_test + 170ms; at += 1700us) {
     CAPTURE(at.count());
     Chip chip(Bytes(4096, 0xFF));
     chip.board->power(true, chip.now);
     chip.run(at);
     chip.board->reset(ResetKind::watchdog, chip.now);
-    chip.run(250ms);
+    chip.run(until_start_is_written);
     const Bytes after = chip.board->eeprom();
     const bool is_first_whole = record(after, 0)[1] == 0;
     const std::size_t place = is_first_whole ? 1 : 0;
@@ -164,7 +168,7 @@ TEST_CASE("a supply that fails while an event is written in the midst of driving
     }
     most_written = std::max(most_written, next - 101);
     world.board().power(true, world.now());
-    world.run_for(250ms);
+    world.run_for(until_start_is_written);
     const Bytes after = world.board().eeprom();
     REQUIRE(is_record(record(after, next)));
     REQUIRE(int(record(after, next)[0]) == 1);
@@ -220,7 +224,7 @@ TEST_CASE("the .eep file is settings that the image takes", "[H-20]") {
   CHECK(eeprom[132] == 30);
   Chip chip(eeprom);
   chip.board->power(true, chip.now);
-  chip.run(300ms);
+  chip.run(self_test + 300ms);
   const Bytes after = chip.board->eeprom();
   CHECK(int(record(after, 0)[0]) == 1);
   CHECK(record(after, 1) == Bytes(8, 0xFF));  // neither a loss nor a bad copy

@@ -127,12 +127,17 @@ struct Counts {
   int stopped = 0;
 };
 
+// The self-test's result (H-27): nobody writes it again, and any value but that of a pass stops the chair.
+bool is_result(const Register& reg) {
+  return std::string(reg.name) == "GPIOR2";
+}
+
 // An upset of a clock may cost more time than is forgiven: then the chair stops (H-24). So it may after one of the bit
 // rate's high byte, because the simulated UART keeps that rate until the end of a character, up to 50 ms.
 bool may_stop(const Register& reg) {
   const std::string name = reg.name;
   return name == "GTCCR" || name == "PRR0" || name == "OCR0A" || name.substr(0, 5) == "TCCR0" || name == "TIMSK0" ||
-         name == "UBRR0H" || name.substr(0, 5) == "TCCR3";
+         name == "UBRR0H" || name.substr(0, 5) == "TCCR3" || is_result(reg);
 }
 
 // Flips one bit after another. `constant_bits_only` leaves out those that nobody needs to restore.
@@ -169,7 +174,7 @@ Counts flip_all(int speed, Time pause, bool constant_bits_only) {
         std::printf("  %s bit %u: restarted\n", reg.name, bit);
       } else if (ride->is_stopping()) {
         CHECK(may_stop(reg));
-        CHECK(((ride->chip->ram(reg.address) ^ before) & mask) == 0);
+        CHECK((((ride->chip->ram(reg.address) ^ before) & mask) == 0 || is_result(reg)));
         ride->world->run_for(2s);
         CHECK(is_safe(ride->chip->pins()));
         ++counts.stopped;

@@ -17,6 +17,7 @@ class PuppetBoard final : public SpmBoard {
   }
   bool is_powered() const override { return is_on; }
   void reset(ResetKind, Time) override {}
+  void upset(const Upset&) override {}
   Time run_until(Time limit) override {
     if (!to_say.empty() && is_on && say_at <= limit) {
       now = say_at;

@@ -89,19 +89,17 @@ TEST_CASE("clocks that differ are a fault that stays, with an event of its own",
   CHECK(module.events(EventCode::clock_differs) == 1);
 }
 
-TEST_CASE("every millisecond's work beats, and house-keeping beats as well", "[H-25]") {
+TEST_CASE("every millisecond's work beats; that of others the core does not report", "[H-25]") {
   Module module;
   module.step();
   module.spm.take_beats();
-  int self_tests = 0;
   for (int i = 0; i < 100; ++i) {
     module.step();
     const faults::Beats beats = module.spm.take_beats();
     REQUIRE(beats.has(faults::Beat::step));
     REQUIRE_FALSE(beats.has(faults::Beat::output));  // the board's
-    self_tests += beats.has(faults::Beat::self_test) ? 1 : 0;
+    REQUIRE_FALSE(beats.has(faults::Beat::self_test));  // likewise
   }
-  CHECK(self_tests == 10);
   module.spm.step(module.in, Instant(module.now));  // no new millisecond
   CHECK(module.spm.take_beats().empty());
 }

@@ -295,6 +295,60 @@ TEST_CASE("the start says its cause: 0 power on, 1 watchdog, 2 brown-out, 3 exte
   CHECK(started(spm::Start::external) == std::make_pair(3, false));
 }
 
+TEST_CASE("a self-test that failed keeps the chair where it is, says so, and logs what: 1 flash, 2 RAM", "[H-27]") {
+  for (const int what : {1, 2}) {
+    Bench bench;
+    bench.in.self_test = static_cast<spm::SelfTest>(what);
+    bench = Bench::ready(std::move(bench));
+    CHECK(bench.is_limping());
+    CHECK(bench.is_inhibit_shown());
+    CHECK(bench.system_state() == 8);
+    bench.cycle(wire::forward_fast, 200);
+    CHECK(bench.left() == 0);
+    CHECK(bench.is_braked());
+    CHECK(bench.argument_of(33) == what);
+  }
+}
+
+TEST_CASE("a flash that is found wrong while driving stops the chair by its ramp, for good", "[H-27]") {
+  Bench bench = Bench::driving();
+  bench.in.self_test = spm::SelfTest::flash_later;
+  bench.cycle(wire::forward_fast, 2);
+  CHECK(bench.left() > 0);
+  CHECK(bench.left() < 16384);
+  bench.cycle(wire::forward_fast, 200);
+  CHECK(bench.left() == 0);
+  CHECK(bench.is_braked());
+  CHECK(bench.system_state() == 8);
+  CHECK(bench.argument_of(33) == 3);
+  bench.cycle(wire::at_rest, 20);
+  bench.cycle(wire::forward_fast, 100);
+  CHECK(bench.is_braked());
+}
+
+TEST_CASE("too many restarts keep the chair where it is", "[H-25]") {
+  Bench bench;
+  bench.in.start = spm::Start::watchdog;
+  bench.in.has_restarted_often = true;
+  bench = Bench::ready(std::move(bench));
+  CHECK(bench.system_state() == 8);
+  CHECK(bench.is_inhibit_shown());
+  bench.cycle(wire::forward_fast, 200);
+  CHECK(bench.is_braked());
+  CHECK(bench.argument_of(34) == 0);
+}
+
+TEST_CASE("a stack that was too deep stops the chair for good, and is logged once", "[H-22]") {
+  Bench bench = Bench::driving();
+  bench.in.has_stack_overrun = true;
+  bench.cycle(wire::forward_fast, 200);
+  CHECK(bench.left() == 0);
+  CHECK(bench.is_braked());
+  CHECK(bench.system_state() == 8);
+  CHECK(bench.count_of(41) == 1);
+  CHECK(bench.count_of(24) == 0);
+}
+
 TEST_CASE("lost settings make the chair limp, and are logged", "[H-20]") {
   Bench bench;
   bench.in.settings_lost = true;

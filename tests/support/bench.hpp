@@ -141,6 +141,22 @@ class Bench {
   bool is_transient() const { return spm_.faults().is_transient; }
   bool is_limping() const { return spm_.faults().is_limping; }
   bool is_off() const { return outputs_.latch == spm::Latch::release; }
+  // How many of the newest 16 events have this code; and the argument of the newest one, -1 if there is none.
+  int count_of(int code) const {
+    int count = 0;
+    for (std::uint8_t back = 0; back < 16; ++back) {
+      count += spm_.events().newest(back).code == code ? 1 : 0;
+    }
+    return count;
+  }
+  int argument_of(int code) const {
+    for (std::uint8_t back = 0; back < 16; ++back) {
+      if (spm_.events().newest(back).code == code) {
+        return spm_.events().newest(back).argument;
+      }
+    }
+    return -1;
+  }
   bool has_event(spm::EventCode code) const {
     for (std::uint8_t back = 0; back < faults::EventRing::capacity; ++back) {
       if (spm_.events().newest(back).code == static_cast<std::uint8_t>(code)) {

@@ -3,6 +3,7 @@
 #include "drivers/bridge.hpp"
 #include "drivers/host/machine.hpp"
 #include "drivers/power_latch.hpp"
+#include "drivers/self_test.hpp"
 #include "drivers/serial.hpp"
 #include "drivers/signals.hpp"
 #include "drivers/store.hpp"
@@ -82,4 +83,30 @@ TEST_CASE("our own characters are checked and never handed out", "[SB-1.4]") {
   CHECK_FALSE(machine.sender.next(value));
   base::HeardByte byte;
   CHECK_FALSE(drivers::serial::take(byte));
+}
+
+TEST_CASE("a flash that changes later is found at the end of the round that has seen it", "[H-27]") {
+  using drivers::self_test::Result;
+  Machine machine;
+  drivers::host::select(machine);
+  drivers::self_test::start();
+  for (int i = 0; i < 100; ++i) {
+    drivers::self_test::step();
+  }
+  machine.wrong_flash.insert({399, 0});  // just passed: this round has seen the old bit
+  for (int i = 100; i < 38144 / 4; ++i) {
+    drivers::self_test::step();
+  }
+  CHECK(drivers::self_test::result() == Result::passed);
+  for (int i = 0; i < 38144 / 4 - 1; ++i) {
+    drivers::self_test::step();
+  }
+  CHECK(drivers::self_test::result() == Result::passed);
+  drivers::self_test::step();
+  CHECK(drivers::self_test::result() == Result::flash_later);
+  machine.wrong_flash.clear();
+  for (int i = 0; i < 2 * 38144 / 4; ++i) {
+    drivers::self_test::step();
+  }
+  CHECK(drivers::self_test::result() == Result::flash_later);  // once is enough
 }

@@ -95,6 +95,22 @@ TEST_CASE("H-16.2: the latch is let go without two confirms of what was asked", 
   CHECK(is_caught(breaches(10, false), "H-16.2"));
 }
 
+TEST_CASE("H-16.2: a module that never spoke may let go after 5 s, whoever calls it, and not sooner", "[monitor][H-16]") {
+  const auto breaches = [](Time after, bool speaks) {
+    Stage stage;
+    stage.power(true);
+    stage.pins.power_latch = true;
+    stage.later(after, [&] { stage.pins.power_latch = false; });
+    for (int i = 0; i < 252; ++i) {
+      stage.cycle(sr::power_up, i == 0 && speaks ? spm::power_up : "");
+    }
+    return stage.breaches();
+  };
+  CHECK(is_caught(breaches(4979ms, false), "H-16.2"));
+  CHECK(breaches(4981ms, false) == "");
+  CHECK(is_caught(breaches(4981ms, true), "H-16.2"));
+}
+
 TEST_CASE("H-16.2: two confirms must follow each other", "[monitor][H-16]") {
   Stage stage;
   ask_for_power_down(stage);

@@ -271,3 +271,24 @@ TEST_CASE("a part of the chair is broken and mended on one side") {
         "'restore: {stuck bridge: right}'");
   CHECK(complaints_about(head + "  - restore: bridge\n") == "file.yaml:3:14: 'bridge' is not one of: cable");
 }
+
+TEST_CASE("Bits of the chip's memory are named by place, number and level", "[H-27]") {
+  const std::string head = "name: x\nsteps:\n";
+  const Scenario scenario = parse_scenario(head +
+                                               "  - fault: {flash bit: 38000, bit: 3}\n"
+                                               "  - fault: {stuck RAM bit: 9000, bit: 7, level: high}\n",
+                                           "file.yaml");
+  const Upset flash = std::get<SpoilMemory>(scenario.steps[0].action).upset;
+  CHECK(flash.memory == Upset::Memory::flash);
+  CHECK(flash.address == 38000);
+  CHECK(flash.bit == 3);
+  const Upset ram = std::get<SpoilMemory>(scenario.steps[1].action).upset;
+  CHECK(ram.memory == Upset::Memory::ram);
+  CHECK(ram.address == 9000);
+  CHECK(ram.bit == 7);
+  CHECK(ram.is_stuck_high);
+  CHECK_FALSE(complaints_about(head + "  - fault: {flash bit: 38144, bit: 3}\n").empty());
+  CHECK_FALSE(complaints_about(head + "  - fault: {stuck RAM bit: 255, bit: 3, level: low}\n").empty());
+  CHECK_FALSE(complaints_about(head + "  - fault: {stuck RAM bit: 9000, bit: 8, level: low}\n").empty());
+  CHECK_FALSE(complaints_about(head + "  - fault: {stuck RAM bit: 9000, bit: 3}\n").empty());
+}
