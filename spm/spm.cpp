@@ -296,9 +296,9 @@ FaultSet Spm::present_faults(const Inputs& in) const {
   present.put(Fault::remote_fault, general_.local_fault);
   present.put(Fault::pot_error, general_.pot_error);
   present.put(Fault::remote_limps, general_.non_critical_fault);
-  present.put(Fault::battery_flat, in.analog_ready && in.battery < Millivolts(settings_[Setting::battery_cutoff]));
+  present.put(Fault::stalled, motion_.is_stalled());
   present.put(Fault::out_of_neutral, neutral_.is_violated());
-  return present | output_watch_.faults();  // last: what begins empty costs less
+  return present | output_watch_.faults() | battery_.faults();  // last: what begins empty costs less
 }
 
 Inhibits Spm::present_inhibits() const {
@@ -431,8 +431,11 @@ void Spm::keep_house(const Inputs& in, Instant now) {
   kept_house_ = now;
   outputs_.are_switches_as_before = false;
   output_watch_.step(in, outputs_);
+  battery_.step(in, outputs_, settings_, faults_.active());
+  motion_.watch(in);
+  motion_.spare_battery(battery_.ceiling(), faults_.active().has(Fault::over_voltage));
   supervise(in, now);
-  fuel_gauge_.step(in.battery, motion_.are_brakes_released(), settings_, now);
+  fuel_gauge_.step(battery_.at_rest(), settings_, now);
   led_.step(faults_.summary().system_state, now);
   outputs_.status_led = led_.is_on();
   manage_power(in, now);

@@ -12,6 +12,7 @@
 #include "faults/event.hpp"
 #include "faults/link_supervisor.hpp"
 #include "faults/manager.hpp"
+#include "spm/battery.hpp"
 #include "spm/events.hpp"
 #include "spm/fault_rules.hpp"
 #include "spm/fuel_gauge.hpp"
@@ -137,6 +138,7 @@ class Spm {
   Motion motion_;
   OutputWatch output_watch_;
   Power power_;
+  Battery battery_;
   FuelGauge fuel_gauge_;
   StatusLed led_;
 

@@ -144,10 +144,9 @@ struct Part {
 
 const std::vector<Part>& parts() {
   static const std::vector<Part> rows{
-      {"open brake coil", Damage::open_coil},
-      {"shorted brake coil", Damage::shorted_coil},
-      {"stuck bridge", Damage::stuck_bridge},
-      {"open motor", Damage::open_motor},
+      {"open brake coil", Damage::open_coil},   {"shorted brake coil", Damage::shorted_coil},
+      {"stuck bridge", Damage::stuck_bridge},   {"open motor", Damage::open_motor},
+      {"blocked wheel", Damage::blocked_wheel},
   };
   return rows;
 }
@@ -193,6 +192,8 @@ const std::vector<FaultWord>& fault_words() {
        break_part<Damage::stuck_bridge>},
       {"open motor", "fault: {open motor: left}", "the wire is off: no current, until 'restore'",
        break_part<Damage::open_motor>},
+      {"blocked wheel", "fault: {blocked wheel: left}",
+       "that wheel stands against a kerb: it cannot turn forward, until 'restore'", break_part<Damage::blocked_wheel>},
   };
   return words;
 }
