@@ -9,47 +9,51 @@ using base::Millivolts;
 
 namespace {
 
-constexpr uint8_t looks_between = 10;  // the load is weighed that often only: the product costs
+constexpr uint8_t looks_between = 10;
 
 // What goes through a bridge to its motor, as the battery sees it: duty times current.
 int32_t share_of(Demand duty, base::Milliamps current) {
   return static_cast<int32_t>(duty.count()) * current_steps(current);
 }
 
+// Millivolts that the load takes, negative while the motors feed the battery. The sensors of motors and coils tell what
+// it gives; the electronics are a constant.
+int16_t sag_of(const Inputs& in, const Outputs& said, uint16_t milliohms) {
+  const int32_t motors = share_of(said.left, in.left_current) + share_of(said.right, in.right_current);
+  // A shift is what the AVR does quickly; that it rounds downwards is a step of 64 mA at most.
+  const int16_t load = static_cast<int16_t>(static_cast<int16_t>((motors * 4) >> 16) + current_steps(in.brake_coils) +
+                                            current_steps(limits::electronics_current));
+  static_assert(full_demand.count() * int32_t{4} == int32_t{1} << 16, "a duty of 1");
+  // Steps times milliohms are 64 microvolts each: 131 / 2048 of a millivolt.
+  const int32_t sag = (static_cast<int32_t>(load) * static_cast<int16_t>(milliohms) * 131) >> 11;
+  constexpr int16_t most = limits::most_sag.count();
+  return static_cast<int16_t>(sag > most ? most : sag < -most ? -most : sag);
+}
+
 }  // namespace
 
-void Battery::step(const Inputs& in, const Outputs& said, const Settings& settings, FaultSet known) {
+bool Battery::step(const Inputs& in, const Outputs& said, const Settings& settings, FaultSet known) {
   if (!in.analog_ready) {
-    return;
+    return false;
   }
-  if (until_weighed_ == 0) {
-    until_weighed_ = looks_between;
-    weigh_load(in, said, settings);
-    slow_down(known.has(Fault::battery_low), said.left_brake == Brake::engaged);
+  if (until_next_ != 0) {
+    --until_next_;
+    return false;
   }
-  --until_weighed_;
-  const int32_t rest = static_cast<int32_t>(in.battery.count()) + sag_;
+  until_next_ = looks_between - 1;
+  const int32_t rest =
+      static_cast<int32_t>(in.battery.count()) + sag_of(in, said, settings[Setting::battery_resistance]);
   at_rest_ = Millivolts(static_cast<uint16_t>(rest < 0 ? 0 : rest));
 
   const Millivolts back = limits::battery_hysteresis;
   const Millivolts low(settings[Setting::battery_low]);
-  const Millivolts over(settings[Setting::battery_high]);
+  const Millivolts high(settings[Setting::battery_high]);
+  const bool is_low = known.has(Fault::battery_low);
   faults_.put(Fault::battery_flat, at_rest_ < Millivolts(settings[Setting::battery_cutoff]));
-  faults_.put(Fault::battery_low, at_rest_ < (known.has(Fault::battery_low) ? low + back : low));
-  faults_.put(Fault::over_voltage, in.battery > (known.has(Fault::over_voltage) ? over - back : over));
-}
-
-// The sensors of motors and coils tell what the battery gives; the electronics are a constant.
-void Battery::weigh_load(const Inputs& in, const Outputs& said, const Settings& settings) {
-  const int32_t motors =
-      (share_of(said.left, in.left_current) + share_of(said.right, in.right_current)) / full_demand.count();
-  const int16_t load =
-      static_cast<int16_t>(motors + current_steps(in.brake_coils) + current_steps(limits::electronics_current));
-  // Steps times milliohms are 64 microvolts each: 131 / 2048 of a millivolt.
-  const int32_t product = static_cast<int32_t>(load) * static_cast<int16_t>(settings[Setting::battery_resistance]);
-  const int32_t sag = product * 131 / 2048;
-  constexpr int16_t most = limits::most_sag.count();
-  sag_ = static_cast<int16_t>(sag > most ? most : sag < -most ? -most : sag);
+  faults_.put(Fault::battery_low, at_rest_ < (is_low ? low + back : low));
+  faults_.put(Fault::over_voltage, in.battery > (known.has(Fault::over_voltage) ? high - back : high));
+  slow_down(is_low, said.left_brake == Brake::engaged);
+  return true;
 }
 
 void Battery::slow_down(bool is_low, bool is_at_rest) {

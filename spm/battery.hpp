@@ -19,24 +19,22 @@ namespace spm {
 
 class Battery {
  public:
-  // Each `limits::house_keeping`. `known` are the faults that count already: they end later than they begin.
-  void step(const Inputs& in, const Outputs& said, const Settings& settings, FaultSet known);
+  // Each `limits::house_keeping`; true with every tenth, which does the work. `known` are the faults that count
+  // already: they end later than they begin.
+  bool step(const Inputs& in, const Outputs& said, const Settings& settings, FaultSet known);
 
   FaultSet faults() const { return faults_; }
   // The voltage there would be without load; 0 before the first reading.
   base::Millivolts at_rest() const { return at_rest_; }
   // No command asks for more.
   Demand ceiling() const { return ceiling_; }
-  bool is_low() const { return ceiling_ < full_demand; }
 
  private:
-  void weigh_load(const Inputs& in, const Outputs& said, const Settings& settings);
   void slow_down(bool is_low, bool is_at_rest);
 
   FaultSet faults_;
   base::Millivolts at_rest_;
-  int16_t sag_ = 0;  // millivolts that the load takes, negative while the motors feed the battery
-  uint8_t until_weighed_ = 0;
+  uint8_t until_next_ = 0;
   Demand ceiling_ = full_demand;
 };
 

@@ -1,6 +1,5 @@
 #include "spm/current_limit.hpp"
 
-#include "spm/current_steps.hpp"
 #include "spm/limits.hpp"
 
 namespace spm {
@@ -10,27 +9,32 @@ using base::Milliamps;
 
 namespace {
 
-constexpr int16_t full = full_demand.count();
+constexpr int16_t unlimited = full_demand.count();
 
-constexpr int16_t peak = current_steps(limits::motor_peak);
-constexpr int16_t continuous = current_steps(limits::motor_continuous);
-constexpr int16_t urgent = peak + current_steps(Milliamps(2000));
-constexpr int16_t shock = peak + current_steps(Milliamps(12000));
-constexpr int16_t a_little = current_steps(Milliamps(1000));  // the sensor has a grain of 0.25 A
+// Steps of 256 mA, about the grain of the sensors: on the AVR the upper bytes of a number, and its square fits 16 bits.
+constexpr int16_t steps_of(Milliamps size) {
+  return static_cast<int16_t>(size.count() / 256);
+}
+constexpr int16_t peak = steps_of(limits::motor_peak);
+constexpr int16_t continuous = steps_of(limits::motor_continuous);
+constexpr int16_t urgent = peak + steps_of(Milliamps(2048));
+constexpr int16_t shock = peak + steps_of(Milliamps(12000));
+constexpr int16_t a_little = 4;
+constexpr int16_t most_steps = 511;  // more than the sensors can say
 
 // What a winding ends at that has its continuous current for ever.
-constexpr uint16_t hot = (continuous / 4) * (continuous / 4) / 4;
+constexpr uint16_t hot = continuous * continuous / 16;
 constexpr uint16_t warm = hot / 2;         // from here on the limit sinks
 constexpr uint16_t stalls = hot / 4 * 3;   // who stands from here on is stopped
 constexpr uint16_t too_hot = hot / 2 * 3;  // only braking gets it there, which the limit leaves alone
 constexpr uint16_t cooled = hot / 4 * 5;
 constexpr uint16_t sinking = (peak - continuous) * int32_t{256} / (hot - warm);
 
-// 24 V and 0.15 ohm are 160 A: a step of current is 6.6 of demand. A little less is taken back for each step too much,
+// 24 V and 0.15 ohm are 160 A: a step of current is 26 of demand. A little less is taken back for each step too much,
 // so that the current does not fall far below its limit.
-constexpr int16_t demand_for_a_step = 5;
+constexpr int16_t demand_for_a_step = 20;
 // And a little more is what a motor may have that stands: it may be hot, the battery low (19 V).
-constexpr int16_t standing_demand_for_a_step = 8;
+constexpr int16_t standing_demand_for_a_step = 32;
 constexpr int16_t gentle_cut = 128;  // in a look: 800 permille a second, as in an emergency stop
 
 int16_t limit_at(uint16_t temperature) {
@@ -40,24 +44,27 @@ int16_t limit_at(uint16_t temperature) {
   if (temperature >= hot) {
     return continuous;
   }
-  const uint32_t sunk = static_cast<uint32_t>(static_cast<uint16_t>(temperature - warm)) * sinking;
+  const uint16_t sunk = static_cast<uint16_t>((temperature - warm) * sinking);
   return static_cast<int16_t>(peak - static_cast<int16_t>(sunk >> 8));
 }
+static_assert((hot - warm) * uint32_t{sinking} <= UINT16_MAX, "what the limit sinks fits");
+static_assert(most_steps * int32_t{standing_demand_for_a_step} <= INT16_MAX, "a standing demand fits");
 
 Demand nearer_zero(Demand value, int16_t most) {
   return value.count() > most ? Demand(most) : value.count() < -most ? Demand(static_cast<int16_t>(-most)) : value;
 }
 
-int16_t smaller(int16_t value, int16_t other) {
+int16_t lesser(int16_t value, int16_t other) {
   return value < other ? value : other;
 }
 
 }  // namespace
 
 void CurrentLimit::look(const Inputs& in, const Wheels& given, bool is_at_rest) {
-  look_at(left_, in.left_current, given.left);
-  look_at(right_, in.right_current, given.right);
-  is_acting_ = left_.most < full || right_.most < full;
+  turn_ = static_cast<uint8_t>((turn_ + 1) & 3);
+  look_at(left_, in.left_current, given.left, turn_ == 0);
+  look_at(right_, in.right_current, given.right, turn_ == 2);
+  is_acting_ = left_.most < unlimited || right_.most < unlimited;
   if (is_acting_ && !left_.is_urgent && !right_.is_urgent) {
     keep_curve(given);
   }
@@ -68,14 +75,17 @@ void CurrentLimit::look(const Inputs& in, const Wheels& given, bool is_at_rest) 
   is_stalled_ = stands || hotter >= too_hot || (is_stalled_ && (!is_at_rest || hotter >= cooled));  // H-31
 }
 
-void CurrentLimit::look_at(Motor& motor, Milliamps current, Demand given) {
-  const int16_t signed_steps = current_steps(current);
-  const int16_t steps = magnitude(signed_steps);
-  motor.winding.take(steps > 1020 ? uint8_t{255} : static_cast<uint8_t>(steps >> 2));
-  motor.most = full;
+void CurrentLimit::look_at(Motor& motor, Milliamps current, Demand given, bool is_taken) {
+  const bool is_forward = current >= Milliamps(0);
+  const uint32_t size = static_cast<uint32_t>(is_forward ? current.count() : -current.count()) >> 8;
+  const int16_t steps = size > uint16_t{most_steps} ? most_steps : static_cast<int16_t>(size);
+  if (is_taken) {
+    motor.winding.take(steps > 255 ? uint8_t{255} : static_cast<uint8_t>(steps));
+  }
+  motor.most = unlimited;
   motor.is_urgent = false;
   const int16_t limit = limit_at(motor.winding.temperature());
-  const bool is_driven = (given > Demand(0) && signed_steps > 0) || (given < Demand(0) && signed_steps < 0);
+  const bool is_driven = is_forward ? given > Demand(0) : given < Demand(0);
   if (!is_driven || steps < limit - a_little) {
     motor.standing = 0;
     return;
@@ -96,7 +106,7 @@ void CurrentLimit::look_at(Motor& motor, Milliamps current, Demand given) {
     return;
   }
   int16_t cut = static_cast<int16_t>((steps - limit) * demand_for_a_step);
-  cut = motor.is_urgent ? cut : smaller(cut, gentle_cut);
+  cut = motor.is_urgent ? cut : lesser(cut, gentle_cut);
   motor.most = static_cast<int16_t>(demand > cut ? demand - cut : 0);
 }
 
@@ -105,10 +115,10 @@ void CurrentLimit::keep_curve(const Wheels& given) {
   const int16_t right = magnitude(given.right.count());
   const int16_t most_left = left_.most;
   if (right_.most < right) {
-    left_.most = smaller(left_.most, scaled(left, byte_share(right_.most, right)));
+    left_.most = lesser(left_.most, scaled(left, byte_share(right_.most, right)));
   }
   if (most_left < left) {
-    right_.most = smaller(right_.most, scaled(right, byte_share(most_left, left)));
+    right_.most = lesser(right_.most, scaled(right, byte_share(most_left, left)));
   }
 }
 

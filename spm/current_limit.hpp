@@ -24,15 +24,15 @@
 namespace spm {
 
 // What a motor's winding has taken: its heat by current squared, less what it gives off. Held at its continuous current
-// it ends at `hot`, and never beyond.
+// it ends at a temperature that the limit calls hot, and not beyond.
 class Winding {
  public:
-  // One look; in steps of 256 mA, all beyond 65 A alike.
+  // Each 40 ms; in steps of 256 mA, all beyond 65 A alike.
   void take(uint8_t current) {
-    // A 2^14th of it goes with every look of 10 ms: a time constant of 164 s.
-    heat_ = heat_ + static_cast<uint16_t>(current * current) - static_cast<uint16_t>(temperature() * 4);
+    // A 2^12th of it goes each time: a time constant of 164 s.
+    heat_ = heat_ + static_cast<uint16_t>(current * current) - static_cast<uint16_t>(temperature() * 16);
   }
-  // Above that of its surroundings; a quarter of the current's square in the end.
+  // Above that of its surroundings; a sixteenth of the current's square in the end.
   uint16_t temperature() const { return static_cast<uint16_t>(heat_ >> 16); }
 
  private:
@@ -59,11 +59,12 @@ class CurrentLimit {
     bool is_urgent = false;
   };
 
-  static void look_at(Motor& motor, base::Milliamps current, Demand given);
+  static void look_at(Motor& motor, base::Milliamps current, Demand given, bool is_taken);
   void keep_curve(const Wheels& given);
 
   Motor left_;
   Motor right_;
+  uint8_t turn_ = 0;  // whose winding takes its current at this look
   bool is_acting_ = false;
   bool is_stalled_ = false;
 };

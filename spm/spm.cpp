@@ -431,9 +431,10 @@ void Spm::keep_house(const Inputs& in, Instant now) {
   kept_house_ = now;
   outputs_.are_switches_as_before = false;
   output_watch_.step(in, outputs_);
-  battery_.step(in, outputs_, settings_, faults_.active());
+  if (battery_.step(in, outputs_, settings_, faults_.active())) {
+    motion_.spare_battery(battery_.ceiling(), battery_.faults().has(Fault::over_voltage));
+  }
   motion_.watch(in);
-  motion_.spare_battery(battery_.ceiling(), faults_.active().has(Fault::over_voltage));
   supervise(in, now);
   fuel_gauge_.step(battery_.at_rest(), settings_, now);
   led_.step(faults_.summary().system_state, now);

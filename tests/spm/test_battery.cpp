@@ -27,7 +27,7 @@ struct Rig {
     in.left_current = in.right_current = base::Milliamps(amps * 1000);
     out.left_brake = out.right_brake = Brake::released;
   }
-  FaultSet at(int millivolts, FaultSet known = none, int looks = 10) {
+  FaultSet at(int millivolts, FaultSet known = none, int looks = 10) {  // 100 ms
     in.battery = base::Millivolts(static_cast<std::uint16_t>(millivolts));
     for (int i = 0; i < looks; ++i) {
       battery.step(in, out, settings, known);
@@ -147,7 +147,7 @@ TEST_CASE("over-voltage makes braking gentler, an emergency stop stays what it i
   const auto fall_of = [](int millivolts, bool is_emergency) {
     Bench bench = Bench::driving();
     bench.in.battery = base::Millivolts(static_cast<std::uint16_t>(millivolts));
-    bench.cycle(wire::forward_fast, 3);
+    bench.cycle(wire::forward_fast, 6);
     if (millivolts > 30500) {
       CHECK(bench.system_state() == 2);
       CHECK(bench.has_event(EventCode::over_voltage));

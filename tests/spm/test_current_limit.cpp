@@ -87,22 +87,22 @@ TEST_CASE("a winding takes 16 A for ever, 60 A for 5 to 7 s before it is half-wa
     }
     return looks;
   };
-  CHECK(looks_until(62, 962) == 1000000);  // 15.9 A
-  CHECK(looks_until(234, 480) > 500);
-  CHECK(looks_until(234, 480) < 700);
+  CHECK(looks_until(62, 242) == 1000000);  // 15.9 A
+  CHECK(looks_until(234, 120) > 125);
+  CHECK(looks_until(234, 120) < 175);
   Winding winding;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 750; ++i) {
     winding.take(255);
   }
   const int hot = winding.temperature();
-  for (int i = 0; i < 11400; ++i) {  // 164 s times the natural logarithm of 2
+  for (int i = 0; i < 2840; ++i) {  // 164 s times the natural logarithm of 2
     winding.take(0);
   }
-  CHECK(winding.temperature() == Approx(hot / 2).margin(20));
+  CHECK(winding.temperature() == Approx(hot / 2).margin(10));
   for (int i = 0; i < 1000000; ++i) {
     winding.take(255);
   }
-  CHECK(winding.temperature() == Approx(255 * 255 / 4).margin(5));
+  CHECK(winding.temperature() == Approx(255 * 255 / 16).margin(5));
 }
 
 // The current that is let through after so long at that one.

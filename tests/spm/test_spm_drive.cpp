@@ -213,7 +213,7 @@ TEST_CASE("a flat battery stops the chair after 2 s, and neutral is needed after
   CHECK(bench.left() > 15000);  // low for a second: it has begun to slow down
   CHECK(bench.system_state() == 2);
   CHECK_FALSE(bench.is_inhibit_shown());
-  bench.cycle(wire::forward_fast, 3);
+  bench.cycle(wire::forward_fast, 7);
   CHECK(bench.is_inhibit_shown());
   CHECK(bench.system_state() == 2);
   CHECK(bench.has_event(spm::EventCode::battery_flat));
