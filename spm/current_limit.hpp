@@ -30,7 +30,7 @@ class Winding {
   // Each 40 ms; in steps of 256 mA, all beyond 65 A alike.
   void take(uint8_t current) {
     // A 2^12th of it goes each time: a time constant of 164 s.
-    heat_ = heat_ + static_cast<uint16_t>(current * current) - static_cast<uint16_t>(temperature() * 16);
+    heat_ = heat_ + static_cast<uint16_t>(current * uint16_t{current}) - static_cast<uint16_t>(temperature() * 16);
   }
   // Above that of its surroundings; a sixteenth of the current's square in the end.
   uint16_t temperature() const { return static_cast<uint16_t>(heat_ >> 16); }

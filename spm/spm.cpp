@@ -296,9 +296,8 @@ FaultSet Spm::present_faults(const Inputs& in) const {
   present.put(Fault::remote_fault, general_.local_fault);
   present.put(Fault::pot_error, general_.pot_error);
   present.put(Fault::remote_limps, general_.non_critical_fault);
-  present.put(Fault::stalled, motion_.is_stalled());
   present.put(Fault::out_of_neutral, neutral_.is_violated());
-  return present | output_watch_.faults() | battery_.faults();  // last: what begins empty costs less
+  return present | measured_;  // last: what begins empty costs less
 }
 
 Inhibits Spm::present_inhibits() const {
@@ -435,6 +434,8 @@ void Spm::keep_house(const Inputs& in, Instant now) {
     motion_.spare_battery(battery_.ceiling(), battery_.faults().has(Fault::over_voltage));
   }
   motion_.watch(in);
+  measured_ = output_watch_.faults() | battery_.faults();
+  measured_.put(Fault::stalled, motion_.is_stalled());
   supervise(in, now);
   fuel_gauge_.step(battery_.at_rest(), settings_, now);
   led_.step(faults_.summary().system_state, now);

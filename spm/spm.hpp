@@ -128,6 +128,7 @@ class Spm {
   bool are_settings_due_ = false;
 
   faults::Manager<Fault, fault_count, FaultBits> faults_;
+  FaultSet measured_;                                          // what voltages and currents say
   FaultSet unlogged_;                                          // begun, not yet in the log: an answer went first
   bool is_stopping_ = false;                                   // an emergency stop is on its way (SB-2.17)
   Inhibits inhibits_ = Inhibits::of(Inhibit::no_general_yet);  // never empty before it has been weighed
