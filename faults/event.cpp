@@ -10,10 +10,11 @@ void EventRing::record(uint8_t code, uint8_t argument, base::Instant now) {
     return;
   }
   repeats_ = 0;
-  events_[next_].code = code;
-  events_[next_].argument = argument;
-  events_[next_].at = now;
-  next_ = static_cast<uint8_t>((next_ + 1U) % capacity);
+  const uint8_t place = static_cast<uint8_t>(next_ % capacity);  // H-27: inside, whatever has become of it
+  events_[place].code = code;
+  events_[place].argument = argument;
+  events_[place].at = now;
+  next_ = static_cast<uint8_t>((place + 1U) % capacity);
 }
 
 Event EventRing::newest(uint8_t back) const {

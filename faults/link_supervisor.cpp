@@ -10,12 +10,12 @@ void LinkSupervisor::message(Instant now, Stamp at) {
   is_silent_ = false;
   last_ = now;
   last_stamp_ = at;
-  if (is_up_) {
+  if (is_up()) {
     return;
   }
   ++good_run_;
   if (good_run_ >= limits_.proof) {  // SB-2.16
-    is_up_ = true;
+    up_.give();
   }
 }
 

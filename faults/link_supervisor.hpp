@@ -8,6 +8,7 @@
 
 #include <stdint.h>
 
+#include "drivers/base/grant.hpp"
 #include "drivers/base/time.hpp"
 
 namespace faults {
@@ -28,7 +29,7 @@ class LinkSupervisor {
         is_watching_(false),
         is_silent_(false),
         is_near_silence_(false),
-        is_up_(true) {}
+        up_(true) {}
 
   // A good message of the watched sender; the first one starts the watch for silence.
   void message(base::Instant now, base::Stamp at);
@@ -46,11 +47,12 @@ class LinkSupervisor {
   bool is_near_silence() const { return is_near_silence_; }
   bool has_corrupt_run() const { return corrupt_run_ >= limits_.corrupt_run; }
   bool is_silent() const { return is_silent_; }
-  bool is_up() const { return is_up_; }
+  bool is_up() const { return up_.is_given(); }
+  bool is_intact() const { return up_.is_intact(); }  // H-27
 
  private:
   void lose() {
-    is_up_ = false;
+    up_.withhold();
     good_run_ = 0;
   }
 
@@ -61,7 +63,7 @@ class LinkSupervisor {
   bool is_watching_;
   bool is_silent_;
   bool is_near_silence_;
-  bool is_up_;
+  base::Grant up_;
   base::Instant last_;      // when the last good message came, coarse
   base::Stamp last_stamp_;  // and fine
 };

@@ -2,7 +2,8 @@
 //
 // Goals: a fault's whole behaviour is its row; the usual case (nothing changed, nothing pending) costs next to nothing.
 // Assumptions: the table lies in flash, rows in order of severity, most severe first.
-// Invariants: what a row latches only its own end condition clears; nothing here looks at what a fault means.
+// Invariants: what a row latches only its own end condition clears; nothing here looks at what a fault means; no
+// flipped bit takes a latched fault away (H-27).
 #pragma once
 
 #include <stdint.h>
@@ -33,6 +34,8 @@ class Manager {
         counted_(),
         stopping_(),
         limping_(),
+        not_stopping_(complement(Faults())),
+        not_limping_(complement(Faults())),
         begun_(),
         since_(),
         summary_(),
@@ -52,6 +55,14 @@ class Manager {
   // Whether update() would find a condition that was not there before.
   bool are_new(Faults present) const { return !present.without(present_).empty(); }
 
+  // False once a bit of what is latched has flipped (H-27): then the next update() has to mend it.
+  bool is_intact() const {
+    return not_stopping_ == complement(stopping_) && not_limping_ == complement(limping_) &&
+           summary_.must_stop != stopping_.empty() && summary_.is_limping != limping_.empty();
+  }
+
+  void mend() { is_pending_ = true; }
+
   const Summary& summary() const { return summary_; }
   // Conditions that hold and have outlasted their debounce.
   Faults active() const { return counted_; }
@@ -60,39 +71,69 @@ class Manager {
   Faults limping() const { return limping_; }
 
  private:
+  static constexpr Faults complement(Faults faults) { return Faults::all().without(faults); }
+
   void walk(const Row (&rows)[row_count], Faults present, bool is_link_up, base::Instant now) {
     Summary sum;
     is_pending_ = false;
+    stopping_ = stopping_ | complement(not_stopping_);  // H-27: one of both copies is enough to go on stopping
+    limping_ = limping_ | complement(not_limping_);
     // The other rows neither do anything nor begin to.
-    Faults concerned = present | counted_ | stopping_ | limping_;
-    Faults fault = Faults::first();
-    for (uint8_t i = 0; i < row_count && !concerned.empty(); ++i, fault = fault.next()) {
-      if (!concerned.has(fault)) {
-        continue;
+    const Faults concerned = present | counted_ | stopping_ | limping_;
+    // Eight rows at a time: an AVR reckons in bytes.
+    for (uint8_t part = 0; part < Faults::parts; ++part) {
+      if (concerned.part(part) != 0) {
+        walk_part(rows, part, concerned.part(part), present.part(part), is_link_up, now, sum);
       }
-      concerned = concerned.without(fault);
-      const Row& row = rows[i];  // in flash: each column is fetched where it is needed
-      const bool counts = present.has(fault) && outlasts_debounce(row, fault, now);
-      begun_.put(fault, counts && !counted_.has(fault));
-      counted_.put(fault, counts);
-      const Stops stops = base::from_flash(row.stops);
-      stopping_.put(fault, keeps_stopping(stops, counts, stopping_.has(fault), is_link_up));
-      limping_.put(fault, keeps_limping(base::from_flash(row.limps), counts, limping_.has(fault)));
-      add_up(row, stops, fault, sum);
     }
+    not_stopping_ = complement(stopping_);
+    not_limping_ = complement(limping_);
     present_ = present;
     was_link_up_ = is_link_up;
     summary_ = sum;
   }
 
-  // For a condition that is present.
-  bool outlasts_debounce(const Row& row, Faults fault, base::Instant now) {
-    if (counted_.has(fault)) {
-      return true;
+  void walk_part(const Row (&rows)[row_count], uint8_t part, uint8_t todo, uint8_t present, bool is_link_up,
+                 base::Instant now, Summary& sum) {
+    uint8_t& counted = counted_.part(part);
+    uint8_t& stopping = stopping_.part(part);
+    uint8_t& limping = limping_.part(part);
+    uint8_t& begun = begun_.part(part);
+    uint8_t i = static_cast<uint8_t>(part * 8);
+    for (uint8_t bit = 1; todo != 0; bit = static_cast<uint8_t>(bit << 1), ++i) {
+      if ((todo & bit) == 0) {
+        continue;
+      }
+      todo = static_cast<uint8_t>(todo & ~bit);
+      const Row& row = rows[i];  // in flash: each column is fetched where it is needed
+      const bool did_count = (counted & bit) != 0;
+      const bool was_present = (present_.part(part) & bit) != 0;
+      const bool counts = (present & bit) != 0 && (did_count || outlasts_debounce(row, i, was_present, now));
+      put(begun, bit, counts && !did_count);
+      put(counted, bit, counts);
+      const Stops stops = base::from_flash(row.stops);
+      const bool stops_now = keeps_stopping(stops, counts, (stopping & bit) != 0, is_link_up);
+      put(stopping, bit, stops_now);
+      const bool limps_now = keeps_limping(base::from_flash(row.limps), counts, (limping & bit) != 0);
+      put(limping, bit, limps_now);
+      sum.must_stop = sum.must_stop || stops_now;
+      sum.is_transient = sum.is_transient || (stops_now && stops == Stops::until_link);
+      sum.is_limping = sum.is_limping || limps_now;
+      if (sum.system_state == 0 && (stops_now || limps_now || counts)) {  // SB-01.9
+        sum.system_state = base::from_flash(row.system_state);
+      }
     }
+  }
+
+  static void put(uint8_t& part, uint8_t bit, bool is_in) {
+    part = static_cast<uint8_t>(is_in ? part | bit : part & ~bit);
+  }
+
+  // For a condition that is present and does not count yet.
+  bool outlasts_debounce(const Row& row, uint8_t i, bool was_present, base::Instant now) {
     const base::Millis debounce(base::from_flash(row.debounce_ms));
-    base::Instant& since = since_[base::from_flash(row.fault)];
-    if (!present_.has(fault)) {
+    base::Instant& since = since_[i];
+    if (!was_present) {
       since = now;
     }
     if (now - since >= debounce) {
@@ -128,21 +169,12 @@ class Manager {
     return true;
   }
 
-  void add_up(const Row& row, Stops stops, Faults fault, Summary& sum) const {
-    const bool is_stopping = stopping_.has(fault);
-    const bool is_limping = limping_.has(fault);
-    sum.must_stop = sum.must_stop || is_stopping;
-    sum.is_transient = sum.is_transient || (is_stopping && stops == Stops::until_link);
-    sum.is_limping = sum.is_limping || is_limping;
-    if (sum.system_state == 0 && (is_stopping || is_limping || counted_.has(fault))) {  // SB-01.9
-      sum.system_state = base::from_flash(row.system_state);
-    }
-  }
-
   Faults present_;
   Faults counted_;
   Faults stopping_;
   Faults limping_;
+  Faults not_stopping_;  // the same once more, as complements
+  Faults not_limping_;
   Faults begun_;
   base::Array<base::Instant, row_count> since_;  // when a debounced condition was first present
   Summary summary_;

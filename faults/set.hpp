@@ -1,6 +1,6 @@
-// A set of the values of one enum, as bits. The enum's values count up from 0 and stay below the number of bits. Questions
-// about one item are always inlined: with the item known they are a bit operation, where an AVR would otherwise shift in a
-// loop.
+// A set of the values of one enum, as bits. The enum's values count up from 0 and stay below the number of bits.
+// Questions about one item are always inlined: with the item known they are a bit operation, where an AVR would
+// otherwise shift in a loop.
 #pragma once
 
 #include <stdint.h>
@@ -17,6 +17,7 @@ class Set {
   __attribute__((always_inline)) static constexpr Set of(Item item) {
     return Set(static_cast<Bits>(Bits{1} << static_cast<uint8_t>(item)));
   }
+  static constexpr Set all() { return Set(static_cast<Bits>(~Bits{0})); }
   // Walking all items in order, without a shift by a variable: first(), then next() of each.
   static constexpr Set first() { return Set(1); }
   constexpr Set next() const { return Set(static_cast<Bits>(bits_ << 1)); }
@@ -38,6 +39,12 @@ class Set {
   void add(Item item) { put(item, true); }
 
   constexpr Bits bits() const { return bits_; }
+
+  // Eight items at a time, the first eight are part 0.
+  static constexpr uint8_t parts = sizeof(Bits);
+  uint8_t part(uint8_t index) const { return reinterpret_cast<const uint8_t*>(&bits_)[index]; }
+  uint8_t& part(uint8_t index) { return reinterpret_cast<uint8_t*>(&bits_)[index]; }
+  static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "parts are bytes in memory");
 
  private:
   constexpr explicit Set(Bits bits) : bits_(bits) {}

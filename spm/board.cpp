@@ -181,6 +181,7 @@ void Board::sense_bus() {
 }
 
 void Board::sense_next() {
+  drivers::analog::scan();
   switch (turn_) {
     case 0:
       in_.battery = battery_of(drivers::analog::raw(Channel::battery));
@@ -205,7 +206,7 @@ void Board::sense_next() {
 }
 
 void Board::apply(const Outputs& outputs) {
-  speak(outputs);  // first: an answer must not wait for anything
+  speak(outputs);                                             // first: an answer must not wait for anything
   if (in_.heard_count != 0 || outputs.awaited != awaited_) {  // otherwise it still waits for the same character
     awaited_ = outputs.awaited;
     drivers::serial::expect(awaited_);

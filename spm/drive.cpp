@@ -219,6 +219,14 @@ void Ramps::fall_together(uint16_t forward_rate, uint16_t turn_rate) {
   smaller.put(times(larger.value(), proportion_));
 }
 
+void Ramps::resume(const Wheels& granted) {
+  const int32_t left = granted.left.count();
+  const int32_t right = granted.right.count();
+  forward_.put(static_cast<int16_t>((left + right) / 2));
+  turn_.put(static_cast<int16_t>((left - right) / 2));
+  is_falling_ = false;
+}
+
 void Ramps::yield_to(const Wheels& granted) {
   const Wheels asked = demand();
   const int32_t left = static_cast<int32_t>(asked.left.count()) - granted.left.count();

@@ -133,12 +133,15 @@ class Ramps {
   void stop(const DriveProfile& profile);
   // The wheels got `granted`, which is nearer to zero than what was asked for: ramp on from there (H-33).
   void yield_to(const Wheels& granted);
+  // The same, whatever they were before, to a step (H-27).
+  void resume(const Wheels& granted);
   // No motion, as after a start.
   void clear() {
     forward_ = turn_ = Ramp();
     is_falling_ = false;
   }
 
+  const Command& target() const { return target_; }
   Wheels demand() const { return mix(Command{forward_.value(), turn_.value()}); }
 
  private:

@@ -36,15 +36,15 @@ Demand bounded(Demand wanted, Demand last, int16_t most) {
 }  // namespace
 
 Wheels DriveGate::pass(const Wheels& wanted, const GateFacts& facts) {
-  const Wheels sane{checked(wanted.left), checked(wanted.right)};
+  const Wheels sane{checked(wanted.left, last_.left), checked(wanted.right, last_.right)};
+  has_leave_ = facts.may_drive && !has_refused_ && facts.general_age <= limits::stale_general;
   if (!facts.allows_torque) {  // H-13
     last_ = Wheels();
     return last_;
   }
   const int16_t left = magnitude(last_.left.count());
   const int16_t right = magnitude(last_.right.count());
-  const bool may_rise = facts.may_drive && facts.general_age <= limits::stale_general;
-  if (may_rise) {
+  if (has_leave_) {
     last_.left = bounded(sane.left, last_.left, driving_ceiling(left, facts.is_limping));
     last_.right = bounded(sane.right, last_.right, driving_ceiling(right, facts.is_limping));
   } else {  // SB-2.17, H-01, H-04
@@ -55,13 +55,13 @@ Wheels DriveGate::pass(const Wheels& wanted, const GateFacts& facts) {
   return last_;
 }
 
-// A demand that claims to exceed full voltage is none at all.
-Demand DriveGate::checked(Demand wanted) {
+// A demand that claims to exceed full voltage is none at all: from what there was before, the wheel falls.
+Demand DriveGate::checked(Demand wanted, Demand last) {
   if (wanted >= -full_demand && wanted <= full_demand) {
     return wanted;
   }
   has_refused_ = true;
-  return Demand(0);
+  return last;
 }
 
 }  // namespace spm

@@ -6,6 +6,7 @@
 //   2. No torque against an engaged brake.
 //   3. The demand never rises faster than the hard limit and never changes sign without passing zero.
 //   4. Limping, it never exceeds the hard ceiling, and falls to it if it was above.
+//   5. Once it was handed a demand beyond full voltage, nobody has leave any more.
 #pragma once
 
 #include <stdint.h>
@@ -25,13 +26,20 @@ struct GateFacts {
 class DriveGate {
  public:
   Wheels pass(const Wheels& wanted, const GateFacts& facts);
+  // Whether the last demand was allowed to rise.
+  bool has_leave() const { return has_leave_; }
+  // What it let through last.
+  const Wheels& last() const { return last_; }
+  // The same, where memory has forgotten it.
+  void remember(const Wheels& last) { last_ = last; }
   // It was once handed a demand beyond full motor voltage: whoever made it is broken.
   bool has_refused() const { return has_refused_; }
 
  private:
-  Demand checked(Demand wanted);
+  Demand checked(Demand wanted, Demand last);
 
   Wheels last_;
+  bool has_leave_ = false;
   bool has_refused_ = false;
 };
 

@@ -36,7 +36,8 @@ enum class EventCode : uint8_t {
   over_voltage = 36,       // H-26
   stalled = 37,            // H-31
   clock_differs = 38,      // H-24: milliseconds and microseconds do not agree
-  upset_found = 39,        // H-27: a value and its complement do not agree; argument: whose
+  upset_found = 39,        // H-27: a value and its complement do not agree; argument: 1 a permission, 2 the faults,
+                           // 3 motion, 4 what was made of the settings, 5 the settings
   transmitter_hung = 40,   // H-30
   stack_overrun = 41,      // H-22
 };

@@ -16,7 +16,9 @@ namespace limits {
 
 using namespace base;  // literals
 
-constexpr Millis cycle = 20_ms;          // SB-2.2
+constexpr Millis cycle = 20_ms;  // SB-2.2
+// Between two looks at configuration that no longer changes, in house-keepings (H-27).
+constexpr uint8_t configuration_check = 4;
 constexpr Millis house_keeping = 10_ms;  // between two looks at what changes slowly: battery, supply, gauge, LED
 // Of the first one, counted back from the start: it is due 5 ms later, and the raster lies between that of remotes
 // which begin to speak at a multiple of 10 ms.
@@ -34,6 +36,9 @@ constexpr Micros latest_after_silence = 4500_us;  // SB-2.12
 
 // Neutral
 constexpr uint8_t neutral_proof = 5;  // SB-01.8: generals in a row
+
+// H-06: generals in a row without the remote's non-critical fault that end its LIMP (SB-00.6)
+constexpr uint8_t healthy_proof = 5;
 
 // Speed
 constexpr bus::shark::PotReading pot_in_error = bus::shark::PotReading(128);  // SB-00.6: mid-range

@@ -50,14 +50,27 @@ class Motion {
   bool is_stalled() const { return current_limit_.is_stalled(); }
   // The gate was once handed nonsense.
   bool has_refused() const { return gate_.has_refused(); }
+  // Something that commands motion has changed in memory by itself; it has been mended (H-27).
+  bool has_mended() const { return has_mended_ || park_brake_.has_mended(); }
+  // Whether what configure() made of the settings still is what it was (H-27).
+  bool is_configuration_intact() const { return sum_of_configuration() == configuration_sum_; }
 
  private:
+  void mend();
+  uint16_t sum_of_configuration() const;
+
   DriveProfile profile_ = {};
-  DriveProfile own_ = {};  // as the settings have it, whatever the battery allows
+  struct Rates {
+    uint16_t acceleration;
+    uint16_t forward_deceleration;
+    uint16_t reverse_deceleration;
+  };
+  Rates own_ = {};  // as the settings have them, whatever the battery allows
   Demand most_ = full_demand;
   bool is_battery_low_ = false;
   bool is_over_voltage_ = false;
   ParkBrake::Times brake_times_ = {};
+  uint16_t configuration_sum_ = 0;
   Stick stick_;
   Command command_;
   bool is_command_stale_ = true;
@@ -66,7 +79,8 @@ class Motion {
   ParkBrake park_brake_;
   CurrentLimit current_limit_;
   DriveGate gate_;
-  Wheels granted_;
+  Wheels granted_;  // as the gate and the ramps remember it, too
+  bool has_mended_ = false;
   uint8_t speedo_ = 0;
 };
 

@@ -4,16 +4,18 @@
 
 #include <stdint.h>
 
+#include "drivers/base/grant.hpp"
+
 namespace spm {
 
 class Neutral {
  public:
-  constexpr explicit Neutral(uint8_t proof) : proof_(proof), run_(0), is_awaited_(true), is_shown_(true) {}
+  constexpr explicit Neutral(uint8_t proof) : proof_(proof), run_(0), is_shown_(true) {}
 
   // Something forbids driving right now. `is_shown`: it is one of the causes the remote is told about.
   void require(bool is_shown) {
     run_ = 0;
-    is_awaited_ = true;
+    seen_.withhold();
     is_shown_ = is_shown_ || is_shown;
   }
 
@@ -23,21 +25,22 @@ class Neutral {
     is_deflected_ = !is_at_rest;
     if (run_ >= proof_) {
       run_ = proof_;
-      is_awaited_ = false;
+      seen_.give();
       is_shown_ = false;
     }
   }
 
-  bool is_awaited() const { return is_awaited_; }
+  bool is_awaited() const { return !seen_.is_given(); }
   // The remote's "temporary drive modification" (SB-01.3): also whenever a held stick is what keeps the chair still.
-  bool is_shown() const { return is_awaited_ && (is_shown_ || is_deflected_); }
+  bool is_shown() const { return is_awaited() && (is_shown_ || is_deflected_); }
+  bool is_intact() const { return seen_.is_intact(); }  // H-27
   // The user fault itself: the stick is held while rest is awaited (SB-01.9).
-  bool is_violated() const { return is_awaited_ && is_deflected_; }
+  bool is_violated() const { return is_awaited() && is_deflected_; }
 
  private:
   uint8_t proof_;
   uint8_t run_;
-  bool is_awaited_;
+  base::Grant seen_;
   bool is_shown_;
   bool is_deflected_ = false;
 };

@@ -23,7 +23,7 @@ void OutputWatch::watch_motor(uint8_t& run, Milliamps current, Milliamps most, F
   } else if (++run >= limits::motor_looks) {  // H-10
     run = limits::motor_looks;
     faults_.put(fault, true);
-    must_cut_ = true;
+    must_cut_.give();
   }
 }
 

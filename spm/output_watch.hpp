@@ -11,6 +11,7 @@
 
 #include <stdint.h>
 
+#include "drivers/base/grant.hpp"
 #include "spm/fault_rules.hpp"
 #include "spm/inputs.hpp"
 #include "spm/outputs.hpp"
@@ -24,14 +25,15 @@ class OutputWatch {
 
   FaultSet faults() const { return faults_; }
   // An output does what it wants: bridge and relay must go at once, not by a ramp.
-  bool must_cut() const { return must_cut_; }
+  bool must_cut() const { return must_cut_.is_given(); }
+  bool is_intact() const { return must_cut_.is_intact(); }  // H-27
 
  private:
   void watch_motor(uint8_t& run, base::Milliamps current, base::Milliamps most, Fault fault);
   void watch_coils(base::Milliamps current, bool are_on);
 
   FaultSet faults_;
-  bool must_cut_ = false;
+  base::Grant must_cut_;  // no flipped bit stops a chair at once
   uint8_t left_run_ = 0;  // looks in a row with too much current
   uint8_t right_run_ = 0;
   uint8_t coils_run_ = 0;  // looks in a row that disagree with the command

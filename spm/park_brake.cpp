@@ -25,6 +25,10 @@ void ParkBrake::step(const Times& times, bool wants_motion, bool may_drive, bool
         state_ = State::engaged;
       }
       break;
+    default:  // H-27
+      has_mended_ = true;
+      since_ = now;
+      state_ = is_demand_zero ? State::engaged : State::released;
   }
 }
 

@@ -2,7 +2,8 @@
 //
 //   engaged --wants to drive--> releasing --release time--> released --at rest for the engage time--> engaged
 //
-// Invariants: torque only while released; engaged only while the demand is zero, but for engage().
+// Invariants: torque only while released; engaged only while the demand is zero, but for engage(); no flipped bit makes
+// one state of another (H-27).
 #pragma once
 
 #include <stdint.h>
@@ -26,12 +27,16 @@ class ParkBrake {
   void engage() { state_ = State::engaged; }
 
   bool is_released() const { return state_ != State::engaged; }  // the coils are on
-  bool allows_torque() const { return state_ == State::released; }
+  bool allows_torque() const { return state_ != State::engaged && state_ != State::releasing; }
+  // A bit of the state had flipped; step() chose the one that fits the demand.
+  bool has_mended() const { return has_mended_; }
 
  private:
-  enum class State : uint8_t { engaged, releasing, released };
+  // Any two differ in four bits at least.
+  enum class State : uint8_t { engaged = 0x0F, releasing = 0x33, released = 0xFC };
 
   State state_ = State::engaged;
+  bool has_mended_ = false;
   base::Instant since_;  // releasing: coil on; released: the last moment the chair was not at rest
 };
 

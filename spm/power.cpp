@@ -56,7 +56,7 @@ void Power::confirm(bool is_set) {
     ++confirms_;
   }
   if (confirms_ >= limits::confirm_proof) {
-    is_confirmed_ = true;
+    confirmed_.give();
     is_ending_ = true;
   }
 }
@@ -72,7 +72,7 @@ void Power::step(bool is_safe, bool is_storing, Instant now) {
   if (!is_leaving_) {
     is_leaving_ = true;
     left_ = now;
-    if (is_confirmed_) {
+    if (confirmed_.is_given()) {
       return;  // one step for those who want to write the power-down itself
     }
   }

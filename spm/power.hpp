@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "bus/shark/packets.hpp"
+#include "drivers/base/grant.hpp"
 #include "drivers/base/time.hpp"
 #include "spm/outputs.hpp"
 
@@ -30,8 +31,9 @@ class Power {
   bool is_down_asked() const { return is_down_asked_; }    // "power down now"
   bool is_sleep_asked() const { return is_sleep_asked_; }  // "sleep mode requested"
   // Bus idle mode: power-down or sleep was confirmed (SB-2.15).
-  bool is_bus_idle() const { return is_confirmed_; }
-  bool is_remote_gone() const { return is_ending_ && !is_confirmed_; }
+  bool is_bus_idle() const { return confirmed_.is_given(); }
+  bool is_intact() const { return confirmed_.is_intact(); }
+  bool is_remote_gone() const { return is_ending_ && !is_bus_idle(); }
 
  private:
   enum class Button : uint8_t {
@@ -52,7 +54,7 @@ class Power {
   uint8_t confirms_ = 0;
   bool is_down_asked_ = false;
   bool is_sleep_asked_ = false;
-  bool is_confirmed_ = false;
+  base::Grant confirmed_;  // H-27: it ends the watch for silence
   bool is_ending_ = false;
   bool is_leaving_ = false;
   bool is_off_ = false;

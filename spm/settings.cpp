@@ -23,6 +23,23 @@ SettingRange range_of(Setting setting) {
   return base::from_flash(ranges[static_cast<uint8_t>(setting)]);
 }
 
+uint16_t Settings::sum() const {
+  uint16_t sum = 0;
+  for (const uint16_t value : values_) {
+    sum = static_cast<uint16_t>(sum + value);
+  }
+  return sum;
+}
+
+void Settings::force_into_range() {
+  for (uint8_t i = 0; i < setting_count; ++i) {
+    const SettingRange range = range_of(static_cast<Setting>(i));
+    if (values_[i] < range.least || values_[i] > range.most) {
+      values_[i] = range.initial;
+    }
+  }
+}
+
 bool Settings::set(Setting setting, uint16_t value) {
   const SettingRange range = range_of(setting);
   if (value < range.least || value > range.most) {

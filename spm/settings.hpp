@@ -42,6 +42,10 @@ class Settings {
   constexpr uint16_t operator[](Setting setting) const {
     return values_[static_cast<uint8_t>(setting)];
   }
+  // Changes with every bit (H-27).
+  uint16_t sum() const;
+  // Where memory has changed by itself: what is out of its range is its default again (H-21).
+  void force_into_range();
   // False, and nothing changed, if the value is out of range.
   bool set(Setting setting, uint16_t value);
 

@@ -57,6 +57,7 @@ const Outputs& Spm::step(const Inputs& in, Instant now) {
 void Spm::start(const Inputs& in, Instant now) {
   is_started_ = true;
   last_step_ = now;
+  settings_sum_ = settings_.sum();
   motion_.configure(settings_);
   power_.start(now);
   fuel_gauge_.start(now);
@@ -196,6 +197,11 @@ void Spm::take_general(const Frame& frame, const Inputs& in, Stamp at, Instant n
   general_at_ = now;
   const PotReading pot = general_.pot_error ? limits::pot_in_error : general_.pot;  // SB-00.6
   motion_.command(Stick{general_.speed, general_.direction, pot});
+  if (general_.non_critical_fault) {
+    healthy_generals_ = 0;
+  } else if (healthy_generals_ < limits::healthy_proof) {
+    ++healthy_generals_;
+  }
 
   link_.message(now, at);
   const bool is_resting = motion_.is_stick_at_rest();
@@ -274,7 +280,11 @@ void Spm::log_faults(Instant now) {
 
 void Spm::weigh_inhibits() {
   // SB-2.17: an emergency stop runs to its end, brakes engaged, however soon the link is back.
-  is_stopping_ = faults_.summary().is_transient || (is_stopping_ && motion_.are_brakes_released());
+  if (faults_.summary().is_transient) {
+    stop_is_over_.withhold();
+  } else if (!motion_.are_brakes_released()) {
+    stop_is_over_.give();
+  }
   inhibits_ = present_inhibits();
   if (!inhibits_.empty()) {
     const Inhibits unshown = Inhibits::of(Inhibit::remote_inhibit) | Inhibits::of(Inhibit::charger_inhibit) |
@@ -286,7 +296,7 @@ void Spm::weigh_inhibits() {
 
 FaultSet Spm::present_faults(const Inputs& in) const {
   FaultSet present;
-  present.put(Fault::internal, motion_.has_refused());
+  present.put(Fault::internal, motion_.has_refused() || has_upset_);
   present.put(Fault::unexpected_start, is_unexpected(in.start));
   present.put(Fault::settings_lost, in.settings_lost);
   present.put(Fault::corrupt_packets, link_.has_corrupt_run());
@@ -295,7 +305,7 @@ FaultSet Spm::present_faults(const Inputs& in) const {
   present.put(Fault::joystick_error, general_.joystick_error);
   present.put(Fault::remote_fault, general_.local_fault);
   present.put(Fault::pot_error, general_.pot_error);
-  present.put(Fault::remote_limps, general_.non_critical_fault);
+  present.put(Fault::remote_limps, healthy_generals_ < limits::healthy_proof);  // H-06
   present.put(Fault::out_of_neutral, neutral_.is_violated());
   return present | measured_;  // last: what begins empty costs less
 }
@@ -304,7 +314,7 @@ Inhibits Spm::present_inhibits() const {
   const faults::Summary& faults = faults_.summary();
   Inhibits present;
   present.put(Inhibit::no_general_yet, phase_ != Phase::running);
-  present.put(Inhibit::transient, is_stopping_);
+  present.put(Inhibit::transient, !stop_is_over_.is_given());
   present.put(Inhibit::fault, faults.must_stop && !faults.is_transient);
   present.put(Inhibit::remote_inhibit, general_.remote_inhibit);    // SB-00.4
   present.put(Inhibit::charger_inhibit, general_.charger_inhibit);  // SB-00.5
@@ -411,7 +421,8 @@ void Spm::move(Millis late, Instant now) {
   }
   Motion::Leave leave;
   leave.must_cut = output_watch_.must_cut();
-  leave.may_drive = inhibits_.empty();
+  // More than the set needs: each of these is kept twice, so that no flipped bit gives leave (H-27).
+  leave.may_drive = inhibits_.empty() && !neutral_.is_awaited() && !faults_.summary().must_stop;
   leave.is_limping = faults_.summary().is_limping;
   leave.general_age = now - general_at_;
   while (last_step_ != now) {
@@ -436,6 +447,7 @@ void Spm::keep_house(const Inputs& in, Instant now) {
   motion_.watch(in);
   measured_ = output_watch_.faults() | battery_.faults();
   measured_.put(Fault::stalled, motion_.is_stalled());
+  check_memory(now);
   supervise(in, now);
   fuel_gauge_.step(battery_.at_rest(), settings_, now);
   led_.step(faults_.summary().system_state, now);
@@ -443,11 +455,38 @@ void Spm::keep_house(const Inputs& in, Instant now) {
   manage_power(in, now);
 }
 
+// H-27: what has changed by itself stops the chair, by a ramp that is trusted: it was checked where it is made.
+void Spm::check_memory(Instant now) {
+  ++houses_;
+  const bool is_seldom_due = houses_ % limits::configuration_check == 0;
+  uint8_t whose = 0;
+  if (!neutral_.is_intact() || !link_.is_intact() || !power_.is_intact() || !stop_is_over_.is_intact() ||
+      !output_watch_.is_intact()) {
+    whose = 1;
+  } else if (!faults_.is_intact()) {
+    whose = 2;
+    faults_.mend();
+  } else if (motion_.has_mended()) {
+    whose = 3;
+  } else if (is_seldom_due && !motion_.is_configuration_intact()) {
+    whose = 4;
+    motion_.configure(settings_);
+  } else if (is_seldom_due && settings_.sum() != settings_sum_) {
+    whose = 5;
+    settings_.force_into_range();  // H-21
+    settings_sum_ = settings_.sum();
+  }
+  if (whose != 0 && !has_upset_) {
+    has_upset_ = true;
+    record(EventCode::upset_found, whose, now);
+  }
+}
+
 void Spm::manage_power(const Inputs& in, Instant now) {
   const bool was_leaving = power_.is_leaving();
   const bool is_safe = !motion_.are_brakes_released();
   power_.step(is_safe, in.is_storing, now);
-  outputs_.latch = power_.latch();
+  outputs_.latch = is_safe ? power_.latch() : Latch::hold;  // SB-4.5, whatever the memory says (H-27)
   if (power_.is_leaving() && !was_leaving) {
     if (power_.is_remote_gone()) {  // SB-4.4: the latch does not wait until that is written
       events_.record(static_cast<uint8_t>(EventCode::powered_down), 1, now);
@@ -455,7 +494,7 @@ void Spm::manage_power(const Inputs& in, Instant now) {
       record(EventCode::powered_down, 0, now);
     }
   }
-  if (power_.is_off() && in.wake && !was_wake_) {
+  if (is_safe && power_.is_off() && in.wake && !was_wake_) {
     *this = Spm(settings_);  // woken again before the supply had died: begin anew
     return;
   }

@@ -9,6 +9,7 @@
 #include "bus/shark/packet_table.hpp"
 #include "bus/shark/packets.hpp"
 #include "bus/shark/responder.hpp"
+#include "drivers/base/grant.hpp"
 #include "faults/event.hpp"
 #include "faults/link_supervisor.hpp"
 #include "faults/manager.hpp"
@@ -96,6 +97,7 @@ class Spm {
   void do_timed_work(const Inputs& in, base::Instant now);
   void move(base::Millis late, base::Instant now);
   void keep_house(const Inputs& in, base::Instant now);
+  void check_memory(base::Instant now);
   void manage_power(const Inputs& in, base::Instant now);
 
   void record(EventCode code, uint8_t argument, base::Instant now) {
@@ -123,14 +125,15 @@ class Spm {
   bool has_restarted_ = false;  // SB-3.4, until the fault rows have seen it
   OperatingMode mode_;
   Neutral neutral_;
-  uint8_t until_settings_ = 0;  // generals until the next settings packet
-  base::Instant settings_at_;   // when the last one was said
+  uint8_t healthy_generals_ = limits::healthy_proof;  // in a row, without the remote's non-critical fault
+  uint8_t until_settings_ = 0;                        // generals until the next settings packet
+  base::Instant settings_at_;                         // when the last one was said
   bool are_settings_due_ = false;
 
   faults::Manager<Fault, fault_count, FaultBits> faults_;
   FaultSet measured_;                                          // what voltages and currents say
   FaultSet unlogged_;                                          // begun, not yet in the log: an answer went first
-  bool is_stopping_ = false;                                   // an emergency stop is on its way (SB-2.17)
+  base::Grant stop_is_over_{true};                             // no emergency stop is on its way (SB-2.17)
   Inhibits inhibits_ = Inhibits::of(Inhibit::no_general_yet);  // never empty before it has been weighed
   faults::EventRing events_;
   base::Array<faults::Event, 4> kept_ = {};  // those of this step that outlive the supply
@@ -145,8 +148,11 @@ class Spm {
 
   bool is_started_ = false;
   bool was_wake_ = true;
-  base::Instant last_step_;   // of the motors
-  base::Instant kept_house_;  // last time of the slower rest
+  base::Instant last_step_;    // of the motors
+  base::Instant kept_house_;   // last time of the slower rest
+  uint8_t houses_ = 0;         // times it was kept, for what is done less often
+  uint16_t settings_sum_ = 0;  // as they were when they were given (H-27)
+  bool has_upset_ = false;     // memory has changed by itself
   Outputs outputs_;
 };
 

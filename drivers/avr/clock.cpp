@@ -3,7 +3,6 @@
 #include <avr/interrupt.h>
 #include <avr/io.h>
 
-#include "drivers/avr/analog_scan.hpp"
 #include "drivers/avr/bus_timer.hpp"
 #include "drivers/avr/interrupt_lock.hpp"
 #include "drivers/avr/loop_call.hpp"
@@ -21,7 +20,6 @@ static_assert(F_CPU == 64UL * 1000 * (tick_top + 1), "timer 0 makes exactly 1 ms
 
 ISR(TIMER0_COMPA_vect) {
   ticks = static_cast<uint8_t>(ticks + 1);
-  drivers::avr::start_conversion();
   drivers::avr::call_loop();
 }
 

@@ -7,6 +7,8 @@ namespace analog {
 
 void start() {}
 
+void scan() {}
+
 uint16_t raw(Channel channel) {
   return host::selected().analog_raw[static_cast<uint8_t>(channel)];
 }

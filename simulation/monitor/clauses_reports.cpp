@@ -20,6 +20,11 @@ bool hides_limp(const Scene& scene) {
   return was_so(scene, scene.limp.caused) && !scene.said.general->slowdown;
 }
 
+bool lifts_limp_too_soon(const Scene& scene) {
+  const auto& answered = scene.speech.answered().general;
+  return was_so(scene, scene.limp.non_critical) && answered && !answered->is_doubtful && !scene.said.general->slowdown;
+}
+
 bool takes_limp_back(const Scene& scene) {
   return scene.limp.is_latched_as_told && !scene.said.general->slowdown;
 }
@@ -67,10 +72,12 @@ std::vector<Clause> report_clauses() {
   return {
       {"H-02.2", "A deflected stick while neutral is awaited is told by the temporary drive modification bit",
        "a turn", "SB-01.3, SB-01.8", M::general, hides_neutral_awaited},
+      {"H-06.1", "LIMP by the remote's non-critical fault is told until five generals in a row came without it",
+       "a turn", "SB-00.6, SB-2.16", M::general, lifts_limp_too_soon},
       {"H-07.1", "After an emergency or a pot error LIMP is told until power-down",
        "a turn", "SB-2.14, SB-2.15, SB-2.16, SB-00.6, SB-01.1", M::general, hides_limp},
       {"H-07.2", "A LIMP that was told with a cause, and not by the remote's non-critical fault, is never taken back",
-       "told in the third answer since that fault was last heard, or later", "SB-2.16", M::general, takes_limp_back},
+       "told in the seventh answer since that fault was last heard, or later", "SB-2.16", M::general, takes_limp_back},
       {"H-16.1", "Power down now is told only after a press of the button was released, or with sleep after its time",
        "48 ms are a press; 15 min less 1 s are sleep", "SB-4.1, SB-4.2", M::general, asks_for_power_down_unasked},
       {"H-17.2", "The mode told is the mode requested in the general that is answered",

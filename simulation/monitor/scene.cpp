@@ -18,7 +18,8 @@ constexpr std::uint8_t type_factory_test = 0x7;
 constexpr std::uint8_t type_sacu_general = 0x8;
 constexpr std::uint8_t type_sacu_power_up = 0x9;
 
-constexpr int clean_answers_needed = 2;
+constexpr int clean_generals_needed = 5;
+constexpr int clean_answers_needed = 6;  // SB-2.16: five, and what ends may be told one answer later
 
 }  // namespace
 
@@ -207,7 +208,12 @@ void Scene::hear_general(const SrGeneral& packet) {
   if (packet.pot_error && !limp.caused) {
     limp.caused = packet.end;
   }
-  limp.non_critical = packet.non_critical_fault ? limp.non_critical.value_or(packet.end) : std::optional<Time>();
+  limp.clean_generals = packet.non_critical_fault ? 0 : limp.clean_generals + 1;
+  if (packet.non_critical_fault) {
+    limp.non_critical = limp.non_critical.value_or(packet.end);
+  } else if (limp.clean_generals >= clean_generals_needed) {
+    limp.non_critical = std::nullopt;
+  }
   old_since = packet.is_old ? old_since.value_or(packet.end) : std::optional<Time>();
   if (packet.mode >= 1 && packet.mode <= 3 && !packet.is_neutral()) {
     actuator_asked = packet.end;

@@ -199,11 +199,26 @@ TEST_CASE("a non-critical fault of the remote makes the chair limp while it last
   CHECK_FALSE(bench.is_inhibit_shown());
   bench.cycle(sr_general({1022, 512, 255, 0, 0, 0x20}), 400);
   CHECK(bench.left() == Approx(6554).margin(1));
+  bench.cycle(wire::at_rest, 4);
+  CHECK(bench.is_limping());
   bench.cycle(wire::at_rest);
   CHECK_FALSE(bench.is_limping());
   bench.cycle(wire::at_rest);  // what ends may be told one answer later
   CHECK(bench.system_state() == 0);
   CHECK_FALSE(bench.general_bit(0, 5));
+}
+
+TEST_CASE("one garbled general without the non-critical fault does not end its LIMP, nor four", "[SB-00.6][H-06][H-07]") {
+  Bench bench = Bench::ready();
+  bench.cycle(wire::non_critical_fault, 300);
+  for (int i = 0; i < 50; ++i) {
+    bench.cycle(wire::forward_fast, i % 2 == 0 ? 4 : 1);
+    REQUIRE(bench.is_limping());
+    REQUIRE(bench.left() <= 6554);
+    bench.cycle(wire::non_critical_fault);
+  }
+  bench.cycle(wire::forward_fast, 5);
+  CHECK_FALSE(bench.is_limping());
 }
 
 TEST_CASE("a flat battery stops the chair after 2 s, and neutral is needed after it", "[SB-01.9][H-26]") {

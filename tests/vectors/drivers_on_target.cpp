@@ -32,6 +32,7 @@ namespace drivers {
 
 namespace analog {
 void start() {}
+void scan() {}
 uint16_t raw(Channel) {
   return measured;
 }

@@ -56,6 +56,9 @@ void drive_gate(Record& record) {
         wanted.left = any_demand(random);
         wanted.right = any_demand(random);
       }
+      if (gate.has_refused() && random.one_in(16)) {
+        gate = DriveGate();
+      }
       const Wheels granted = gate.pass(wanted, facts);
       record.add(granted.left.count());
       record.add(granted.right.count());
@@ -74,11 +77,13 @@ void drive_gate(Record& record) {
   record.known(pass_often(gate, -16384, leave(true, false, 0), 1), -16384);
   record.known(pass_often(gate, -16384, leave(true, true, 0), 1), -16372);
   record.known(gate.has_refused(), 0);
-  record.known(pass_often(gate, INT16_MIN, leave(true, false, 0), 1), 0);
+  record.known(pass_often(gate, INT16_MIN, leave(true, false, 0), 1), -16360);
   record.known(gate.has_refused(), 1);
-  record.known(pass_often(gate, 16384, leave(true, true, 0), 124), 8184);
-  record.known(pass_often(gate, 16384, leave(true, true, 0), 1), 8192);
-  record.known(pass_often(gate, 16384, GateFacts(), 1), 0);
+  record.known(pass_often(gate, -16384, leave(true, false, 0), 1), -16348);
+  DriveGate limping;
+  record.known(pass_often(limping, 16384, leave(true, true, 0), 124), 8184);
+  record.known(pass_often(limping, 16384, leave(true, true, 0), 1), 8192);
+  record.known(pass_often(limping, 16384, GateFacts(), 1), 0);
 
   DriveGate curve;
   record.known(pass_often(curve, 660, leave(true, false, 0), 10), 660);

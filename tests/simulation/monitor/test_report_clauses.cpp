@@ -42,6 +42,18 @@ TEST_CASE("H-02.2: the remote is not told that its stick must come to rest", "[m
   CHECK(breaches(sr::neutral, spm::inhibited) == "");
 }
 
+TEST_CASE("H-06.1: one general without the remote's non-critical fault, or four, end its LIMP", "[monitor][H-06]") {
+  for (const int clean : {1, 4}) {
+    CHECK(is_caught(breaches_of({{sr::non_critical, spm::limping_for_remote, 5},
+                                 {sr::forward, spm::limping_for_remote, clean - 1},
+                                 {sr::forward, spm::driving}}),
+                    "H-06.1"));
+  }
+  CHECK(breaches_of({{sr::non_critical, spm::limping_for_remote, 5},
+                     {sr::forward, spm::limping_for_remote, 4},
+                     {sr::forward, spm::driving, 5}}) == "");
+}
+
 TEST_CASE("H-07.1: LIMP is not told after its cause", "[monitor][H-07]") {
   CHECK(is_caught(breaches_of({{sr::pot_error, spm::driving, 3}}), "H-07.1"));
   CHECK(breaches_of({{sr::pot_error, spm::driving, 2}, {sr::forward, spm::limping, 50}}) == "");
@@ -55,10 +67,10 @@ TEST_CASE("H-07.1: LIMP is not told after its cause", "[monitor][H-07]") {
 TEST_CASE("H-07.2: LIMP is taken back", "[monitor][H-07]") {
   CHECK(is_caught(breaches_of({{sr::forward, spm::limping}, {sr::forward, spm::driving}}), "H-07.2"));
   CHECK(breaches_of({{sr::non_critical, spm::limping_for_remote, 5},
-                     {sr::forward, spm::limping_for_remote, 2},
+                     {sr::forward, spm::limping_for_remote, 6},
                      {sr::forward, spm::driving, 5}}) == "");
   CHECK(is_caught(breaches_of({{sr::non_critical, spm::limping_for_remote, 5},
-                               {sr::forward, spm::limping_for_remote, 3},
+                               {sr::forward, spm::limping_for_remote, 7},
                                {sr::forward, spm::driving}}),
                   "H-07.2"));
 }
