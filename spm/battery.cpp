@@ -63,6 +63,9 @@ void Battery::slow_down(bool is_low, bool is_at_rest) {
   } else if (is_at_rest) {  // H-33: slow-down, then recovery, is acceleration that nobody asked for
     ceiling_ = full_demand;
   }
+  if (ceiling_ < limits::low_battery_ceiling || ceiling_ > full_demand) {  // H-27
+    ceiling_ = limits::low_battery_ceiling;
+  }
 }
 
 }  // namespace spm

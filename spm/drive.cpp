@@ -128,7 +128,9 @@ __attribute__((noinline)) Command command_of(const Stick& stick, const DriveProf
   const int16_t speed = axis_share(stick.speed, profile);
   const int16_t maximum = speed < 0 ? profile.reverse_maximum : profile.forward_maximum;
   // SB-2.16: a cap, no scale
-  const int16_t ceiling = is_limping && profile.limp_maximum < most.count() ? profile.limp_maximum : most.count();
+  const int16_t own = is_limping ? profile.limp_maximum : static_cast<int16_t>(full);
+  // H-27: a ceiling below zero, which no battery has, would be a command.
+  const int16_t ceiling = most < Demand(0) ? int16_t{0} : most.count() < own ? most.count() : own;
   Command command;
   command.turn = limited(times(times(axis_share(stick.direction, profile), profile.turn_maximum), pot), ceiling);
   // Speed gives way before the turn does.
