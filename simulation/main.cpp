@@ -1,4 +1,4 @@
-// pilotfish: plays scenarios on the simulated chair, and measures the image.
+// pilotfish: plays scenarios on the simulated chair, measures the image, cuts its supply and reads its log.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -7,7 +7,9 @@
 #include <iostream>
 
 #include "simulation/bench/bench.hpp"
+#include "simulation/eeprom/command.hpp"
 #include "simulation/monitor/clause.hpp"
+#include "simulation/powercut/powercut.hpp"
 #include "simulation/scenario/batch.hpp"
 #include "simulation/scenario/lexicon.hpp"
 
@@ -27,11 +29,15 @@ constexpr const char* examples = R"(Examples
       also writes a plot (SVG), a waveform (VCD for GTKWave, PulseView, sigrok-cli) and the full log
   pilotfish bench
       answer times, bus, CPU load and interrupts of the image, on an idle bus and under the heaviest traffic
+  pilotfish powercut
+      the supply fails at every byte that the image writes into its EEPROM, and the image starts again
+  pilotfish events eeprom.hex
+      the event log of a chip in words, from what avrdude has read; or of a scenario: --after FILE
   pilotfish list-steps
       the words of the scenario language, with units and examples
 
 Exit codes
-  0  everything as expected    1  an expectation or a target was not met, or the machines disagree
+  0  everything as expected    1  an expectation or a target was not met, a case is not safe, or the machines disagree
   2  a file or the command line is wrong    3  the simulation itself failed)";
 
 // Beside this program, where the build puts the image: build/pilotfish and build/firmware/spm.elf.
@@ -65,6 +71,27 @@ void add_bench(CLI::App& app, bench::Order& order) {
   command->add_option("--write", order.page, "Writes the page, docs/performance.md, into this file");
 }
 
+void add_powercut(CLI::App& app, powercut::Order& order) {
+  auto* command =
+      app.add_subcommand("powercut", "Cuts the supply at every byte that the image writes, and starts it again");
+  command->add_flag("--all", order.wants_all, "Every outcome of every byte, and every pair of two cuts: minutes");
+  command->add_option("--seed", order.seed, "For the outcomes that are drawn")->capture_default_str();
+  command->add_option("--image", order.image, "The image, ELF or HEX; its .eep file must lie beside it")
+      ->capture_default_str();
+  command->add_flag("-v,--verbose", order.is_verbose, "Tells on stderr how fast it was");
+}
+
+void add_events(CLI::App& app, eeprom::EventsOrder& order) {
+  auto* command = app.add_subcommand("events", "Prints the event log of an EEPROM in words");
+  auto* file = command->add_option("file", order.file, "An EEPROM as avrdude reads it: Intel HEX, .eep or raw bytes");
+  auto* after = command->add_option("--after", order.scenario, "Instead: what this scenario leaves in the EEPROM");
+  after->excludes(file);
+  command->add_option("--on", order.on, "The machine that plays it")
+      ->check(CLI::IsMember({"avr", "host"}))
+      ->capture_default_str();
+  command->add_option("--image", order.image, "The image for avr, ELF or HEX")->capture_default_str();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -80,6 +107,13 @@ int main(int argc, char** argv) {
   bench::Order bench_order;
   bench_order.image = default_image();
   add_bench(app, bench_order);
+  powercut::Order powercut_order;
+  powercut_order.image = default_image();
+  powercut_order.palette = order.palette;
+  add_powercut(app, powercut_order);
+  eeprom::EventsOrder events_order;
+  events_order.image = default_image();
+  add_events(app, events_order);
   app.add_subcommand("list-steps", "Prints every step, condition and fault of the scenario language");
   app.add_subcommand("list-clauses", "Prints what the monitor watches in every run");
 
@@ -98,6 +132,12 @@ int main(int argc, char** argv) {
   }
   if (app.got_subcommand("bench")) {
     return bench::run(bench_order, std::cout, std::cerr);
+  }
+  if (app.got_subcommand("powercut")) {
+    return powercut::run(powercut_order, std::cout, std::cerr);
+  }
+  if (app.got_subcommand("events")) {
+    return eeprom::tell_events(events_order, std::cout, std::cerr);
   }
   return scenario::play_all(order, std::cout, std::cerr);
 }

@@ -32,7 +32,9 @@ int16_t sag_of(const Inputs& in, const Outputs& said, uint16_t milliohms) {
 
 }  // namespace
 
-bool Battery::step(const Inputs& in, const Outputs& said, const Settings& settings, FaultSet known) {
+// Not inlined: what is done seldom must not cost the loop's big functions registers.
+__attribute__((noinline)) bool Battery::step(const Inputs& in, const Outputs& said, const Settings& settings,
+                                             FaultSet known) {
   if (!in.analog_ready) {
     return false;
   }

@@ -60,7 +60,8 @@ int16_t lesser(int16_t value, int16_t other) {
 
 }  // namespace
 
-void CurrentLimit::look(const Inputs& in, const Wheels& given, bool is_at_rest) {
+// Not inlined: what is done seldom must not cost the loop's big functions registers.
+__attribute__((noinline)) void CurrentLimit::look(const Inputs& in, const Wheels& given, bool is_at_rest) {
   turn_ = static_cast<uint8_t>((turn_ + 1) & 3);
   look_at(left_, in.left_current, given.left, turn_ == 0);
   look_at(right_, in.right_current, given.right, turn_ == 2);

@@ -1,6 +1,7 @@
 #include "spm/event_log.hpp"
 
 #include "drivers/base/flash.hpp"
+#include "spm/events.hpp"
 
 namespace spm {
 
@@ -24,6 +25,11 @@ uint8_t crc8_of(const RecordBytes& bytes) {
   }
   return crc;
 }
+
+#define SPM_EVENT(name, number, words, argument, reason) \
+  static_assert((number) < EventLog::codes, "the log would not write " #name);
+#include "spm/events_list.inc"
+#undef SPM_EVENT
 
 uint16_t word_of(uint8_t low, uint8_t high) {
   return static_cast<uint16_t>(low | (static_cast<uint16_t>(high) << 8));

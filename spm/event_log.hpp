@@ -15,8 +15,8 @@
 // its newest; events wait until then, 128 ms.
 //
 // How long it lasts: a cell stands 100,000 writes, and a record writes its first byte twice, so the ring stands 50,000
-// laps. 5 power cycles a day, three events each (started, power-down asked, powered down), and 10 others are 25 records
-// a day and a lap in ten days: 1400 years. A fault that chatters is written once a minute: 24 years without a pause.
+// laps. `pilotfish powercut` says how many years that is in use; a fault that chatters without a pause is written once
+// a minute, which is 24 years.
 //
 // Values only: whoever steps it reads and writes the EEPROM.
 #pragma once
@@ -57,7 +57,7 @@ RecordBytes make_record(const LogRecord& record);
 
 class EventLog {
  public:
-  static constexpr uint8_t codes = 32;         // codes from 0 to 31 are written, others not
+  static constexpr uint8_t codes = 48;         // codes from 0 to 47 are written, others not
   static constexpr uint8_t rest_seconds = 60;  // of a code that was written
 
   constexpr EventLog() : wanted_(), record_(), rest_() {}

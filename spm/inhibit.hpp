@@ -1,4 +1,5 @@
 // Every reason not to drive, as one set: what the gate obeys, the bus reports and a person can be told.
+// The reasons and their words stand in inhibit_list.inc.
 #pragma once
 
 #include <stdint.h>
@@ -8,17 +9,18 @@
 namespace spm {
 
 enum class Inhibit : uint8_t {
-  no_general_yet,    // SB-3.1: nothing moves before the power-up phase has ended
-  transient,         // SB-2.14 to SB-2.17: communication was lost, or the stop for it is not yet over
-  fault,             // a fault that stops the chair: see the fault set
-  remote_inhibit,    // SB-00.4
-  charger_inhibit,   // SB-00.5
-  calibration,       // SB-01.10
-  invalid_mode,      // SB-00.7: the requested operating mode may not be entered
-  powering_down,     // SB-4.1: the power button, sleep, or the end
-  awaiting_neutral,  // SB-01.8: the stick has not been seen at rest since something above
+#define SPM_INHIBIT(name, words, reason) name,
+#include "spm/inhibit_list.inc"
+#undef SPM_INHIBIT
 };
 
+constexpr uint8_t inhibit_count = 0
+#define SPM_INHIBIT(name, words, reason) +1
+#include "spm/inhibit_list.inc"
+#undef SPM_INHIBIT
+    ;
+
 using Inhibits = faults::Set<Inhibit>;
+static_assert(inhibit_count <= 8 * sizeof(Inhibits::Bits), "the set has a bit for each");
 
 }  // namespace spm

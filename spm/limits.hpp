@@ -65,9 +65,12 @@ constexpr Demand limp_ceiling = Demand(8192);  // SB-2.16: no setting lets LIMP 
 constexpr uint8_t motor_looks = 4;                  // H-10: in a row, so at least 30 ms
 constexpr Milliamps stray_motor_current = 5000_mA;  // H-10: of a motor whose bridge is off
 constexpr Milliamps most_motor_current = 80000_mA;  // H-10: beyond its peak of 60 A, whatever is asked of it
-constexpr uint8_t coil_looks = 10;                  // H-13: in a row, so 100 ms and not more
-constexpr Milliamps half_a_coil = 325_mA;           // a coil draws 0.65 A
-constexpr Milliamps least_of_two_coils = 975_mA;    // one and a half
+constexpr uint8_t bridge_proof = 4;               // H-10: in a row, relay closed and no current, before the first drive
+constexpr uint8_t coil_looks = 10;                // H-13: in a row, so 100 ms and not more
+constexpr uint8_t coil_proof = 2;                 // H-13: in a row with both coils on, before there is torque
+constexpr uint8_t lost_coil_looks = 4;            // H-13: in a row, of coils that were on: so all is cut within 60 ms
+constexpr Milliamps half_a_coil = 325_mA;         // a coil draws 0.65 A
+constexpr Milliamps least_of_two_coils = 975_mA;  // one and a half
 constexpr Milliamps most_of_two_coils = 2000_mA;
 
 // Motors: 0.15 ohm, 16 A for ever, 60 A for a while (H-31)
@@ -102,6 +105,7 @@ static_assert(link.silence.count() > 3 * 20000U, "SB-2.15: three cycles of 20 ms
 static_assert(settings_every * cycle.count() <= longest_without_settings.count(), "SB-0A.1: at least once a second");
 static_assert(full_demand.count() / least_fall.count() <= 1500, "SB-2.17: zero within 1500 ms");
 static_assert(motor_looks * house_keeping.count() + 5 < 60, "H-10: off within 60 ms");
+static_assert(lost_coil_looks * house_keeping.count() + 5 < 60, "H-13: off within 60 ms");
 static_assert(stopped_brake_delay <= 250_ms, "SB-2.17");
 static_assert(longest_store_wait + house_keeping + house_keeping + house_keeping <= 200_ms,
               "SB-4.3: within 200 ms of the confirm, however late each look at the supply is");

@@ -76,7 +76,7 @@ void Motion::watch(const Inputs& in) {
   }
 }
 
-void Motion::spare_battery(Demand most, bool is_over_voltage) {
+__attribute__((noinline)) void Motion::spare_battery(Demand most, bool is_over_voltage) {
   most_ = most;
   const bool is_low = most < full_demand;
   if (is_low == is_battery_low_ && is_over_voltage == is_over_voltage_) {
@@ -129,10 +129,14 @@ __attribute__((noinline)) void Motion::step(const Leave& leave, base::Instant no
     speedo_ = 0;
   }
 
-  const bool may_drive = gate_.has_leave();
+  ParkBrake::Facts brakes;
   // Both remember what was asked for, so that no flipped bit opens the brakes (H-27).
-  const bool wants_motion = !command_.is_zero() && (park_brake_.is_released() || !ramps_.target().is_zero());
-  park_brake_.step(brake_times_, wants_motion, may_drive, granted_.is_zero(), now);
+  brakes.wants_motion = !command_.is_zero() && (park_brake_.is_released() || !ramps_.target().is_zero());
+  brakes.may_drive = gate_.has_leave();
+  brakes.may_release = leave.may_release;
+  brakes.are_coils_on = leave.are_coils_on;
+  brakes.is_demand_zero = granted_.is_zero();
+  park_brake_.step(brake_times_, brakes, now);
 }
 
 }  // namespace spm

@@ -19,7 +19,9 @@ class Motion {
     bool may_drive = false;  // no inhibit of any kind
     bool is_limping = true;
     base::Millis general_age = base::Millis(UINT32_MAX);
-    bool must_cut = false;  // an output is stuck: no ramp, brakes at once (H-10)
+    bool must_cut = false;      // an output is stuck: no ramp, brakes at once (H-10)
+    bool may_release = false;   // the bridges have shown that they block (H-10)
+    bool are_coils_on = false;  // both brakes' coils were seen to be on (H-13)
   };
 
   // After a start and whenever settings change; the chair must be at rest.

@@ -1,6 +1,7 @@
 // When the park brakes are released and engaged, and so when there may be torque.
 //
-//   engaged --wants to drive--> releasing --release time--> released --at rest for the engage time--> engaged
+//   engaged --wants to drive--> releasing --release time, coils seen on--> released --at rest for the engage time-->
+//   engaged
 //
 // Invariants: torque only while released; engaged only while the demand is zero, but for engage(); no flipped bit makes
 // one state of another (H-27).
@@ -20,8 +21,16 @@ class ParkBrake {
     base::Millis stopped;  // demand zero to coil off, driving forbidden (SB-2.17)
   };
 
-  // Once a millisecond. `wants_motion`: some target is not zero; `is_demand_zero`: what the wheels get now.
-  void step(const Times& times, bool wants_motion, bool may_drive, bool is_demand_zero, base::Instant now);
+  struct Facts {
+    bool wants_motion = false;   // some target is not zero
+    bool may_drive = false;      // no reason against it
+    bool may_release = false;    // the outputs have passed their test
+    bool are_coils_on = false;   // seen, not only said
+    bool is_demand_zero = true;  // what the wheels get now
+  };
+
+  // Once a millisecond.
+  void step(const Times& times, const Facts& facts, base::Instant now);
 
   // At once, whatever the demand: the motors are switched off in the same step (H-10).
   void engage() { state_ = State::engaged; }

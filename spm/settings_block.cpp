@@ -28,6 +28,7 @@ LoadedSettings read_settings(const SettingsBlock& first, const SettingsBlock& se
   LoadedSettings loaded;
   bool is_any_sound = false;
   bool is_any_bad = false;
+  bool are_both_sound = false;
   for (uint8_t copy = 0; copy < settings_copies; ++copy) {
     const SettingsBlock& block = copy == 0 ? first : second;
     Settings settings;
@@ -44,10 +45,12 @@ LoadedSettings read_settings(const SettingsBlock& first, const SettingsBlock& se
       loaded.sequence = block[3];
       loaded.next_copy = copy == 0 ? uint8_t{1} : uint8_t{0};
     }
+    are_both_sound = is_any_sound;
     is_any_sound = true;
   }
   loaded.is_lost = is_any_bad && !is_any_sound;
   loaded.is_copy_bad = is_any_bad && is_any_sound;
+  loaded.is_only_one = is_any_sound && !are_both_sound;
   return loaded;
 }
 

@@ -8,8 +8,9 @@
 // So a cut at any bit of any byte leaves the old settings or the new ones: while anything else changes there is no
 // block, and a torn mark stands beside bytes that are whole.
 //
-// An erased EEPROM is a new board, not a fault. Two copies of which one does not check are good enough. No copy that
-// checks, and at least one that was written to its end, are lost settings.
+// An erased EEPROM is a new board, not a fault, and stays erased. One copy that checks is good enough; the other is
+// then written anew from it after the start. No copy that checks, and at least one that was written to its end, are
+// lost settings: nothing is written, so that the loss shows until somebody stores others.
 #pragma once
 
 #include <stdint.h>
@@ -35,6 +36,7 @@ struct LoadedSettings {
   Settings settings;         // the defaults unless a copy was good
   bool is_lost = false;      // something was stored and none of it can be used
   bool is_copy_bad = false;  // one copy does not check; the other is used
+  bool is_only_one = false;  // one copy is used, and the other is bad, torn or not there
   uint8_t next_copy = 0;     // where the next write goes
   uint8_t sequence = 0;      // of the copy in use
 };

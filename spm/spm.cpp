@@ -421,6 +421,8 @@ void Spm::move(Millis late, Instant now) {
   }
   Motion::Leave leave;
   leave.must_cut = output_watch_.must_cut();
+  leave.may_release = output_watch_.are_bridges_proven();
+  leave.are_coils_on = output_watch_.are_coils_on();
   // More than the set needs: each of these is kept twice, so that no flipped bit gives leave (H-27).
   leave.may_drive = inhibits_.empty() && !neutral_.is_awaited() && !faults_.summary().must_stop;
   leave.is_limping = faults_.summary().is_limping;

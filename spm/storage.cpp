@@ -6,17 +6,28 @@ LoadedSettings Storage::load(const SettingsBlock& first, const SettingsBlock& se
   const LoadedSettings loaded = read_settings(first, second);
   next_copy_ = loaded.next_copy;
   sequence_ = loaded.sequence;
+  if (loaded.is_only_one) {
+    begin(loaded.settings);  // H-20: two copies again, before the next mishap
+    is_repairing_ = true;
+  }
   return loaded;
 }
 
 bool Storage::store(const Settings& settings) {
-  if (is_storing()) {
+  if (is_storing() && !is_repairing_) {
     return false;
   }
+  begin(settings);
+  return true;
+}
+
+// Whatever was being written goes to the same copy, which is not in use: it may be begun anew at any byte.
+// Not inlined: the compiler would pay for it with registers of the loop.
+__attribute__((noinline)) void Storage::begin(const Settings& settings) {
+  is_repairing_ = false;
   block_ = make_settings_block(settings, static_cast<uint8_t>(sequence_ + 1U));
   written_ = 0;
   is_at_rest_ = false;
-  return true;
 }
 
 void Storage::note(base::Span<const faults::Event> events) {

@@ -21,11 +21,12 @@ class Storage {
  public:
   constexpr Storage() : block_() {}
 
-  // Once, before anything else: what both copies hold.
+  // Once, before anything else: what both copies hold. If only one of them is sound, the other is written anew from it.
   LoadedSettings load(const SettingsBlock& first, const SettingsBlock& second);
 
   // Asks that `settings` be stored, which takes 55 bytes, 220 ms. False, and nothing done, while others are being
-  // written. Not to be asked on the way to power-down: the supply would go before the end, and the old ones stay.
+  // written; a copy that is written anew from the other gives way. Not to be asked on the way to power-down: the supply
+  // would go before the end, and the old ones stay.
   bool store(const Settings& settings);
   bool is_storing() const { return written_ != is_idle; }
 
@@ -49,6 +50,8 @@ class Storage {
   base::Optional<ByteWrite> next_write();
 
  private:
+  void begin(const Settings& settings);
+
   static constexpr uint8_t is_idle = 0xFF;
   static constexpr uint16_t second = 1000;  // milliseconds
 
@@ -56,6 +59,7 @@ class Storage {
   uint8_t sequence_ = 0;       // of the one in use
   SettingsBlock block_;        // what is being stored
   uint8_t written_ = is_idle;  // bytes of block_ that were handed out
+  bool is_repairing_ = false;  // block_ is what the other copy holds
   EventLog log_;
   uint16_t until_second_ = second;
   bool is_at_rest_ = false;

@@ -104,6 +104,16 @@ class SimulatedChip final : public AvrBoard {
     return address;
   }
 
+  std::optional<EepromWrite> eeprom_write() const override {
+    return is_powered_ ? eeprom_.write_under_way() : std::nullopt;
+  }
+  void cut_power(std::uint8_t left, Time now) override {
+    if (is_powered_) {
+      eeprom_.lose_power(left);
+    }
+    power(false, now);
+  }
+
   std::vector<InterruptUse> interrupt_use() const override { return core_.interrupts().uses(); }
 
   std::optional<InterruptsOff> interrupts_off() const override {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "simulation/board/avr_eeprom_write.hpp"
 #include "simulation/board/avr_interrupt_use.hpp"
 #include "simulation/board/spm_board.hpp"
 
@@ -30,6 +31,11 @@ class AvrBoard : public SpmBoard {
   // The lowest address that the stack has reached since power-on, found by the garbage it has overwritten.
   // Nothing without symbols.
   virtual std::optional<std::uint16_t> stack_low_water() const = 0;
+  // The byte that is being written into the EEPROM at this moment; and a supply that fails at this moment and leaves
+  // that byte as `left`: what a cell holds after half an erase or half a write, nobody promises.
+  virtual std::optional<EepromWrite> eeprom_write() const = 0;
+  virtual void cut_power(std::uint8_t left, Time now) = 0;
+
   virtual std::vector<InterruptUse> interrupt_use() const = 0;  // by vector
   // Since power-on. Nothing unless the options ask for it.
   virtual std::optional<InterruptsOff> interrupts_off() const = 0;

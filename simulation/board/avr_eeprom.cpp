@@ -43,6 +43,22 @@ void AvrEeprom::lose_power() {
   phase_ = Phase::idle;
 }
 
+void AvrEeprom::lose_power(std::uint8_t left) {
+  if (phase_ != Phase::idle) {
+    eeprom_.eeprom[address_] = left;
+  }
+  lose_power();
+}
+
+std::optional<EepromWrite> AvrEeprom::write_under_way() const {
+  if (phase_ == Phase::idle) {
+    return std::nullopt;
+  }
+  const std::uint8_t kept = mode_ == Mode::write_only ? before_ : std::uint8_t{0xFF};
+  const std::uint8_t after = mode_ == Mode::erase_only ? std::uint8_t{0xFF} : static_cast<std::uint8_t>(kept & data_);
+  return EepromWrite{address_, before_, after};
+}
+
 void AvrEeprom::reset() {
   if (phase_ != Phase::idle) {
     // A reset does not disturb a write that has begun.
@@ -79,6 +95,7 @@ void AvrEeprom::begin_write() {
   phase_ = mode_ == Mode::write_only ? Phase::writing : Phase::erasing;
   address_ = address();
   data_ = avr_.data[eeprom_.r_eedr];
+  before_ = eeprom_.eeprom[address_];
   control() = static_cast<std::uint8_t>((control() & ~master_enable) | program_enable);
   const Cycle span = cycles(mode_ == Mode::erase_and_write ? half_of_both_us : one_alone_us);
   phase_end_ = avr_.cycle + span;

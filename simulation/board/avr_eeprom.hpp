@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "simulation/board/avr_core.hpp"
+#include "simulation/board/avr_eeprom_write.hpp"
 
 namespace simulation {
 
@@ -16,6 +18,9 @@ class AvrEeprom {
   std::vector<std::uint8_t> contents() const;
   void set_contents(const std::vector<std::uint8_t>& contents);  // the rest is erased
   void lose_power();
+  // As lose_power(), but a byte that is being written becomes `left` instead of what the time says.
+  void lose_power(std::uint8_t left);
+  std::optional<EepromWrite> write_under_way() const;
 
  private:
   enum class Phase : std::uint8_t { idle, erasing, writing };
@@ -40,6 +45,7 @@ class AvrEeprom {
   Cycle phase_end_ = 0;
   std::uint16_t address_ = 0;
   std::uint8_t data_ = 0;
+  std::uint8_t before_ = 0;
 };
 
 }  // namespace simulation

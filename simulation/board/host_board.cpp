@@ -6,6 +6,7 @@
 #include "drivers/host/machine.hpp"
 #include "drivers/power_latch.hpp"
 #include "simulation/board/host_transmitter.hpp"
+#include "simulation/board/inside_view.hpp"
 #include "spm/firmware.hpp"
 
 namespace simulation {
@@ -40,7 +41,7 @@ ResetCause cause_of(ResetKind kind) {
   return ResetCause::unknown;
 }
 
-class HostBoard final : public SpmBoard {
+class HostBoard final : public SpmBoard, public InsideView {
  public:
   std::string name() const override { return "host"; }
 
@@ -112,6 +113,8 @@ class HostBoard final : public SpmBoard {
   void set_eeprom(const std::vector<std::uint8_t>& contents) override {
     std::copy_n(contents.begin(), std::min(contents.size(), machine_.eeprom.size()), machine_.eeprom.begin());
   }
+
+  Inside inside() const override { return {firmware_.core().inhibits(), firmware_.core().active_faults()}; }
 
   BoardStatistics statistics() const override {
     BoardStatistics statistics;

@@ -79,7 +79,8 @@ void Wheels::take(const Pins& pins, double left_current, double right_current, T
   pins_ = pins;
   before_at_ = at_;
   at_ = now;
-  const bool is_cut = !pins.bridge_enable && !pins.motor_relay && !is_a_brake_released();  // all at once
+  // All at once; a sample may fall between the brakes' two pins, and that they go together is another clause (H-12.2).
+  const bool is_cut = !pins.bridge_enable && !pins.motor_relay && !are_both_released();
   left_.take(signed_duty(pins.left_duty, pins.left_forward), left_current, at_ - before_at_, is_cut);
   right_.take(signed_duty(pins.right_duty, pins.right_forward), right_current, at_ - before_at_, is_cut);
   if (!is_zero()) {

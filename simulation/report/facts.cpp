@@ -125,6 +125,10 @@ const std::string& Facts::programmer_screen() const {
   return world_.remote().programmer.screen();
 }
 
+std::vector<std::uint8_t> Facts::eeprom() const {
+  return world_.board().eeprom();
+}
+
 void Facts::hear_spm(const BusByte& byte) {
   const bool begins_to_speak = !spoke_at_ || (sr_from_ && *spoke_at_ < *sr_from_);
   if (begins_to_speak && sr_until_ && !byte.lost) {

@@ -47,6 +47,7 @@ class Facts : public Observer {
   bool is_cable_cut() const;
   bool shows_communication_fault() const;        // the remote does (SB-3.5)
   const std::string& programmer_screen() const;  // what the programmer behind the remote shows
+  std::vector<std::uint8_t> eeprom() const;      // of the power module, as it is now
 
   // The SPM's last valid general packet, marker bits stripped.
   const std::optional<std::vector<std::uint8_t>>& spm_general() const { return spm_general_; }

@@ -2,8 +2,10 @@
 // fields, from the decode table.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "simulation/eeprom/events.hpp"
 #include "simulation/report/decode.hpp"
 #include "simulation/scenario/condition.hpp"
 
@@ -105,6 +107,43 @@ void add_talk(std::vector<ConditionWord>& words) {
        gauge(Measure::count, [](const Facts& f) { return static_cast<double>(f.programmer_screen().size()); })});
 }
 
+// An event alone, and with each argument that has words.
+using IsEvent = std::function<bool(const eeprom::Record&)>;
+Choice event_choice(const std::function<Test(IsEvent)>& test_of) {
+  constexpr int most_choices = 8;
+  Choice choice;
+  for (const int code : eeprom::known_events()) {
+    choice.options.push_back({eeprom::tell_event(code), test_of([code](const auto& r) { return r.code == code; })});
+    for (int argument = 0; argument < most_choices; ++argument) {
+      if (!eeprom::has_words(code, argument)) {
+        continue;
+      }
+      choice.options.push_back({eeprom::tell_event(code) + ", " + eeprom::tell_argument(code, argument),
+                                test_of([=](const auto& r) { return r.code == code && r.argument == argument; })});
+    }
+  }
+  return choice;
+}
+
+void add_memory(std::vector<ConditionWord>& words) {
+  words.push_back({"last event", "the remote fell silent", "the newest in the event log, which outlives the supply",
+                   event_choice([](IsEvent is_it) -> Test {
+                     return [is_it](const Facts& facts, const Anchor&) {
+                       const auto newest = eeprom::newest_record(facts.eeprom());
+                       return newest && is_it(*newest);
+                     };
+                   })});
+  words.push_back({"events include", "started", "any in the event log", event_choice([](IsEvent is_it) -> Test {
+                     return [is_it](const Facts& facts, const Anchor&) {
+                       const auto records = eeprom::read_log(facts.eeprom());
+                       return std::any_of(records.begin(), records.end(), is_it);
+                     };
+                   })});
+  words.push_back({"events", ">= 3", "how many the event log holds", gauge(Measure::count, [](const Facts& facts) {
+                     return static_cast<double>(eeprom::read_log(facts.eeprom()).size());
+                   })});
+}
+
 // Nothing yet means: neither yes nor no.
 std::optional<int> reported(const Facts& facts, const report::FieldRow& field) {
   return facts.spm_general() ? std::optional(field.read(*facts.spm_general())) : std::nullopt;
@@ -147,6 +186,7 @@ std::vector<ConditionWord> all_words() {
   add_motion(words);
   add_pins(words);
   add_talk(words);
+  add_memory(words);
   for (const report::FieldRow& field : report::spm_general().fields) {
     words.push_back(report_word(field));
     if (words.back().word == "slowdown") {

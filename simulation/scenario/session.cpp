@@ -7,7 +7,9 @@
 
 #include "simulation/board/avr_board.hpp"
 #include "simulation/board/host_board.hpp"
+#include "simulation/eeprom/events.hpp"
 #include "simulation/monitor/monitor.hpp"
+#include "simulation/report/inside_log.hpp"
 #include "simulation/report/story.hpp"
 #include "simulation/report/table.hpp"
 #include "simulation/scenario/record.hpp"
@@ -68,13 +70,18 @@ std::string tell_complaints(const std::vector<std::string>& complaints) {
 struct Watchers {
   Watchers(const Scenario& scenario, const Request& request, World& world, report::Transcript& transcript,
            std::ostream& out)
-      : facts(world), log(page), story(facts, page, log), monitor(scenario.exceptions.clauses) {
+      : facts(world),
+        log(page),
+        inside(world, page, log),
+        story(facts, page, log),
+        monitor(scenario.exceptions.clauses) {
     world.observe(transcript);
     world.observe(monitor);
     world.observe(facts);
     // Words cost time: they are made only for somebody who reads them.
     if (request.wants_log || request.folder) {
       world.observe(log);
+      world.observe(inside);
     }
     if (request.wants_story || request.wants_log || request.folder) {
       world.observe(story);
@@ -95,6 +102,7 @@ struct Watchers {
   report::Facts facts;
   report::Page page;
   report::BusLog log;
+  report::InsideLog inside;
   report::Story story;
   monitor::Monitor monitor;
   std::unique_ptr<Record> record;
@@ -126,6 +134,10 @@ void play_into(Result& result, const Scenario& scenario, const Request& request,
   const auto failure = runner.run();
   watchers.finish();
   result.simulated = world.now();
+  result.eeprom = world.board().eeprom();
+  if (request.wants_log) {
+    out << "\nEvent log in the EEPROM\n" << eeprom::make_event_table(result.eeprom);
+  }
   if (request.wants_story) {
     out << '\n' << report::make_table(watchers.story, result.transcript, world);
   }

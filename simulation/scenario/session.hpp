@@ -19,7 +19,7 @@ struct Request {
   std::string image;          // for avr
   std::optional<std::uint64_t> seed;
   bool wants_story = false;  // sentences and the table
-  bool wants_log = false;    // the decoded bus among them
+  bool wants_log = false;    // the decoded bus among them, and the event log behind
   report::Palette palette;
   std::optional<std::filesystem::path> folder;  // for plot, waveform and full log
 };
@@ -32,6 +32,7 @@ struct Result {
   std::string report;  // of a failure, several lines; or why it was skipped or broke
   report::Transcript transcript;
   Time simulated{};
+  std::vector<std::uint8_t> eeprom;  // as it was left; empty if it was never played
   std::vector<std::string> files;    // written
   std::vector<std::string> remarks;  // such as a missing gnuplot
 };

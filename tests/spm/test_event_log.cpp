@@ -202,9 +202,20 @@ TEST_CASE("four events may wait; a fifth is dropped, and may be written later") 
 TEST_CASE("codes that the log does not know are not written") {
   Eeprom eeprom = erased_eeprom();
   Started module(eeprom);
-  module.note(32);
+  module.note(48);
   module.note(255);
   CHECK(module.write_all(eeprom).empty());
+}
+
+TEST_CASE("every event there is can be written, up to the last code", "[H-13][H-20]") {
+  for (const int code : {1, 9, 16, 26, 30, 31, 32, 33, 41}) {
+    Eeprom eeprom = erased_eeprom();
+    Started module(eeprom);
+    module.note(static_cast<std::uint8_t>(code));
+    CAPTURE(code);
+    CHECK(module.write_all(eeprom).size() == 9);
+    CHECK(int(eeprom[2048]) == code);
+  }
 }
 
 TEST_CASE("a cut at any byte of a record costs the oldest at most, and the next start writes on", "[H-20]") {

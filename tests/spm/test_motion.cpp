@@ -15,7 +15,7 @@ struct Rig {
 
   explicit Rig(const Settings& settings = Settings()) {
     motion.configure(settings);
-    leave.may_drive = true;
+    leave.may_drive = leave.may_release = leave.are_coils_on = true;
     leave.is_limping = false;
     leave.general_age = 20_ms;
   }

@@ -106,6 +106,55 @@ TEST_CASE("coils that are off draw less than half of one", "[H-13]") {
   CHECK(Rig().coils(326, 10) == brake);
 }
 
+TEST_CASE("coils that were seen to be on for two looks have four to be wrong, and then all is cut", "[H-13]") {
+  for (const int wrong : {974, 650, 0, 2001}) {
+    Rig rig;
+    rig.release();
+    CHECK(rig.coils(1300, 1) == none);
+    CHECK_FALSE(rig.watch.are_coils_on());
+    CHECK(rig.coils(1300, 1) == none);
+    CHECK(rig.watch.are_coils_on());
+    CHECK(rig.coils(wrong, 3) == none);
+    CHECK_FALSE(rig.watch.must_cut());
+    CHECK(rig.coils(wrong, 1) == brake);
+    CHECK(rig.watch.must_cut());
+  }
+}
+
+TEST_CASE("coils that were never on are no reason to cut", "[H-13]") {
+  Rig rig;
+  rig.release();
+  CHECK(rig.coils(650, 20) == brake);
+  CHECK_FALSE(rig.watch.must_cut());
+}
+
+TEST_CASE("with each release the coils must be seen anew", "[H-13]") {
+  Rig rig;
+  rig.release();
+  rig.coils(1300, 5);
+  rig.out.left_brake = rig.out.right_brake = Brake::engaged;
+  rig.out.bridge_enabled = false;
+  rig.coils(0, 1);
+  CHECK_FALSE(rig.watch.are_coils_on());
+}
+
+TEST_CASE("bridges are proven by four looks in a row with the relay closed and no current", "[H-10]") {
+  Rig rig;
+  CHECK(rig.motors(0, 0, 100) == none);
+  CHECK_FALSE(rig.watch.are_bridges_proven());
+  rig.out.relay_closed = true;
+  CHECK(rig.motors(5000, -5000, 3) == none);
+  CHECK_FALSE(rig.watch.are_bridges_proven());
+  CHECK(rig.motors(0, 5001, 1) == none);
+  CHECK(rig.motors(0, 0, 3) == none);
+  CHECK_FALSE(rig.watch.are_bridges_proven());
+  CHECK(rig.motors(0, 0, 1) == none);
+  CHECK(rig.watch.are_bridges_proven());
+  rig.out.relay_closed = false;
+  rig.read(10);
+  CHECK(rig.watch.are_bridges_proven());
+}
+
 TEST_CASE("a coil that agrees once in between is not accused", "[H-13]") {
   Rig rig;
   rig.release();
@@ -185,18 +234,88 @@ TEST_CASE("a coil that is missing or shorted at a release never lets the chair p
   }
 }
 
-TEST_CASE("a coil that fails while driving stops the chair by a ramp", "[H-13][SB-2.17]") {
-  Bench bench = Bench::driving();
-  bench.left_coil = 0;
-  bench.cycle(wire::forward_fast, 4);
-  CHECK(bench.left() == 16384);
-  bench.cycle(wire::forward_fast, 2);
-  CHECK(bench.left() < 16384);
-  CHECK(bench.left() > 16384 - 40 * 14);  // 800 permille a second
-  bench.cycle(wire::forward_fast, 80);
+TEST_CASE("a coil that fails while driving has its brake in: all is cut, both brakes go in together",
+          "[H-13][SB-01.9]") {
+  for (const std::int32_t current : {0, 3000}) {
+    Bench bench = Bench::driving();
+    bench.left_coil = current;
+    const Microseconds begin = bench.now();
+    while (!bench.is_braked() && bench.now() - begin < 100000) {
+      bench.run_us(500);
+    }
+    CHECK(bench.now() - begin >= 29000);
+    CHECK(bench.now() - begin <= 55000);
+    CHECK(bench.is_still());
+    CHECK_FALSE(bench.outputs().bridge_enabled);
+    CHECK_FALSE(bench.outputs().relay_closed);
+    bench.left_coil = 650;
+    bench.cycle(wire::at_rest, 20);
+    bench.cycle(wire::forward_fast, 50);
+    CHECK(bench.is_still());
+    CHECK(bench.is_braked());
+    CHECK(bench.system_state() == 5);
+    CHECK(bench.has_event(EventCode::brake));
+  }
+}
+
+// ---- before the first drive
+
+TEST_CASE("before the first drive the brakes wait for four looks at motors that have supply and no bridge", "[H-10]") {
+  Bench bench = Bench::greeted();
+  bench.cycle(wire::at_rest, 4);
+  REQUIRE_FALSE(bench.outputs().relay_closed);
+  bench.hear(wire::at_rest + wire::tf);
+  const Microseconds begin = bench.now();
+  bench.run_ms(10);
+  REQUIRE(bench.outputs().relay_closed);
+  bench.hear(wire::forward_fast + wire::tf);
+  while (bench.is_braked() && bench.now() - begin < 200000) {
+    bench.run_us(500);
+  }
+  CHECK(bench.now() - begin >= 30000);
+  CHECK(bench.now() - begin <= 50000);
+}
+
+TEST_CASE("a transistor that was shorted before the start is found before a brake opens", "[H-10][SB-01.9]") {
+  Bench bench = Bench::greeted();
+  bench.in.left_current = base::Milliamps(6000);  // though the relay is not even closed: a reading, no more
+  for (int i = 0; i < 5; ++i) {
+    bench.cycle(wire::at_rest);
+  }
+  for (int i = 0; i < 100; ++i) {
+    bench.cycle(wire::forward_fast);
+    REQUIRE(bench.is_braked());
+    REQUIRE(bench.is_still());
+  }
+  CHECK(bench.system_state() == 3);
+}
+
+TEST_CASE("a drive after the first one does not wait again", "[H-10]") {
+  Bench bench = Bench::ready();
+  bench.cycle(wire::forward_fast, 50);
+  bench.cycle(wire::at_rest, 200);
+  REQUIRE(bench.is_braked());
+  bench.hear(wire::forward_fast + wire::tf);
+  bench.run_ms(2);
+  CHECK_FALSE(bench.is_braked());
+}
+
+TEST_CASE("torque waits until both coils were seen to be on, however short the brakes' time is", "[H-13]") {
+  Settings settings;
+  settings.set(Setting::brake_release_time, 20);
+  Bench bench = Bench::ready(Bench(1000, settings));
+  bench.left_coil = bench.right_coil = 400;  // 0.8 A: neither off nor on
+  bench.cycle(wire::forward_fast, 3);
+  CHECK_FALSE(bench.is_braked());
   CHECK(bench.is_still());
-  CHECK(bench.is_braked());
-  CHECK(bench.system_state() == 5);
+  bench.left_coil = bench.right_coil = 650;
+  const Microseconds begin = bench.now();
+  bench.hear(wire::forward_fast + wire::tf);
+  while (bench.is_still() && bench.now() - begin < 100000) {
+    bench.run_us(500);
+  }
+  CHECK(bench.now() - begin >= 9000);
+  CHECK(bench.now() - begin <= 30000);
 }
 
 TEST_CASE("a coil that is on though it should be off forbids to drive", "[H-12][H-13]") {

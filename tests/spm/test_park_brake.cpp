@@ -14,11 +14,14 @@ struct Brakes {
   std::uint32_t now = 0xFFFFFFFF - 50;  // across the wrap
   bool wants_motion = false;
   bool may_drive = true;
+  bool may_release = true;
+  bool are_coils_on = true;
   bool is_demand_zero = true;
 
   void pass(int milliseconds) {
     for (int i = 0; i < milliseconds; ++i) {
-      brake.step(times, wants_motion, may_drive, is_demand_zero, Instant(++now));
+      brake.step(times, ParkBrake::Facts{wants_motion, may_drive, may_release, are_coils_on, is_demand_zero},
+                 Instant(++now));
     }
   }
   // Milliseconds until the coils are off, at most 10 s.
@@ -44,6 +47,29 @@ TEST_CASE("brakes are engaged to begin with and stay so at rest", "[H-12]") {
   brakes.pass(10000);
   CHECK_FALSE(brakes.brake.is_released());
   CHECK_FALSE(brakes.brake.allows_torque());
+}
+
+TEST_CASE("brakes are not released before the outputs were tested", "[H-10]") {
+  Brakes brakes;
+  brakes.wants_motion = true;
+  brakes.may_release = false;
+  brakes.pass(10000);
+  CHECK_FALSE(brakes.brake.is_released());
+  brakes.may_release = true;
+  brakes.pass(1);
+  CHECK(brakes.brake.is_released());
+}
+
+TEST_CASE("no torque before the coils were seen to be on", "[H-13]") {
+  Brakes brakes;
+  brakes.wants_motion = true;
+  brakes.are_coils_on = false;
+  brakes.pass(10000);
+  CHECK(brakes.brake.is_released());
+  CHECK_FALSE(brakes.brake.allows_torque());
+  brakes.are_coils_on = true;
+  brakes.pass(1);
+  CHECK(brakes.brake.allows_torque());
 }
 
 TEST_CASE("brakes are not released without leave to drive", "[H-12][H-19]") {

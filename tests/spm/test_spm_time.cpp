@@ -111,6 +111,7 @@ TEST_CASE("a loop held up for seconds loses the link and makes no jump", "[H-23]
   spm::Spm module;
   spm::Inputs in;
   in.battery = base::Millivolts(24000);
+  in.analog_ready = true;
   std::uint32_t now = 0;
   const auto step = [&](const Bytes& bytes) {
     spm::Outputs out;
@@ -124,6 +125,7 @@ TEST_CASE("a loop held up for seconds loses the link and makes no jump", "[H-23]
     for (int i = 0; i < 20; ++i) {
       ++now;
       in.stamp = base::Stamp(static_cast<std::uint16_t>(now * 1000));
+      in.brake_coils = base::Milliamps(out.left_brake == spm::Brake::released ? 1300 : 0);
       out = module.step(in, base::Instant(now));
     }
     return out;

@@ -1,5 +1,6 @@
 #include "spm/storage.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <vector>
 
@@ -115,15 +116,83 @@ TEST_CASE("a cut at any byte of settings leaves the old ones or the new ones, an
           const auto again = next.storage.next_write();
           cut[again->address] = again->value;
         }
-        const Settings then = Started(cut).loaded.settings;
+        Started third(cut);
+        const Settings then = third.loaded.settings;
         REQUIRE((are_same(then, new_settings) || are_same(then, is_blank ? Settings() : old_settings)));
-        next.write_all(cut);
+        REQUIRE_FALSE(third.loaded.is_lost);
+        REQUIRE(third.storage.store(new_settings));
+        third.write_all(cut);
         REQUIRE(are_same(Started(cut).loaded.settings, new_settings));
       }
       reached[write->address] = write->value;
       was_new = are_same(Started(reached).loaded.settings, new_settings);
     }
     CHECK(was_new);
+  }
+}
+
+TEST_CASE("a copy that is bad, torn or not there is written anew from the other", "[H-20]") {
+  Eeprom both = erased_eeprom();
+  store(both, settings_with(41, 25001));
+  store(both, settings_with(42, 25002));
+  Eeprom bad_first = both;
+  bad_first[20] ^= 0x40;
+  Eeprom bad_second = both;
+  bad_second[150] ^= 0x40;
+  Eeprom torn_second = both;
+  torn_second[128] = 0xFF;
+  Eeprom only_second = both;
+  std::fill(only_second.begin(), only_second.begin() + 64, std::uint8_t{0xFF});
+  for (const Eeprom& before : {bad_first, bad_second, torn_second, only_second}) {
+    Eeprom eeprom = before;
+    Started module(eeprom);
+    const Settings used = module.loaded.settings;
+    const unsigned rewritten = module.loaded.next_copy;
+    CHECK(module.storage.is_storing());
+    CHECK_FALSE(module.loaded.is_lost);
+    const auto writes = module.write_all(eeprom);
+    REQUIRE(writes.size() == spm::settings_size + 1U);
+    CHECK(writes.front().address == 128 * rewritten);
+    CHECK(writes.front().value == 0xFF);
+    CHECK(eeprom[4] == eeprom[132]);      // deadband
+    CHECK(eeprom[128 * rewritten] == 0);  // the mark
+    CHECK(std::equal(eeprom.begin() + 4, eeprom.begin() + 52, eeprom.begin() + 132));
+    Started next(eeprom);
+    CHECK_FALSE(next.storage.is_storing());
+    CHECK_FALSE(next.loaded.is_copy_bad);
+    CHECK(are_same(next.loaded.settings, used));
+  }
+}
+
+TEST_CASE("settings that are stored while a copy is written anew go first, and are whole", "[H-20]") {
+  for (int bytes = 0; bytes <= spm::settings_size; ++bytes) {
+    Eeprom eeprom = erased_eeprom();
+    store(eeprom, settings_with(41, 25001));
+    Started module(eeprom);
+    for (int i = 0; i < bytes; ++i) {
+      const auto write = module.storage.next_write();
+      eeprom[write->address] = write->value;
+    }
+    REQUIRE(module.storage.store(settings_with(42, 25002)));
+    CHECK_FALSE(module.storage.store(Settings()));
+    module.write_all(eeprom);
+    CHECK(are_same(Started(eeprom).loaded.settings, settings_with(42, 25002)));
+    CHECK(eeprom[4] == 41);
+  }
+}
+
+TEST_CASE("two sound copies, none at all, or none that is sound: nothing is written at the start", "[H-20]") {
+  Eeprom both = erased_eeprom();
+  store(both, settings_with(41, 25001));
+  store(both, settings_with(42, 25002));
+  Eeprom lost = both;
+  lost[20] ^= 0x40;
+  lost[150] ^= 0x40;
+  for (const Eeprom& before : {both, lost, erased_eeprom()}) {
+    Eeprom eeprom = before;
+    Started module(eeprom);
+    CHECK_FALSE(module.storage.is_storing());
+    CHECK(module.write_all(eeprom).empty());
   }
 }
 
@@ -217,6 +286,8 @@ TEST_CASE("one bad copy is logged and nothing more; two are settings lost, and L
   one.run_ms(300);
   CHECK(one.firmware.core().settings()[Setting::deadband] == 56);
   CHECK_FALSE(one.firmware.core().faults().is_limping);
+  one.run_ms(280);  // the copy goes first
+  CHECK(int(one.machine.eeprom[4]) == 56);
   CHECK(one.record(0)[0] == 1);
   CHECK(one.record(1)[0] == 26);
   eeprom[132] ^= 0x01;

@@ -34,6 +34,21 @@ TEST_CASE("a write without erasing takes 1.8 ms and can only clear bits") {
   CHECK(bench.word("elapsed_us") <= 1820);
 }
 
+TEST_CASE("the byte that is being written is known, and a supply that fails may leave anything in it") {
+  Bench bench("store", store_with(3, 40, 0x77));
+  CHECK_FALSE(bench.board->eeprom_write().has_value());
+  bench.start().run(1ms);
+  const auto write = bench.board->eeprom_write();
+  REQUIRE(write.has_value());
+  CHECK(int(write->address) == 40);
+  CHECK(int(write->before) == 0x77);
+  CHECK(int(write->after) == 0x11);
+  bench.board->cut_power(0x5B, bench.now);
+  CHECK_FALSE(bench.board->is_powered());
+  CHECK_FALSE(bench.board->eeprom_write().has_value());
+  CHECK(bench.board->eeprom()[40] == 0x5B);
+}
+
 TEST_CASE("the EEPROM asks by interrupt whenever it is ready") {
   Bench bench("store", {2});
   bench.start().run(10ms);

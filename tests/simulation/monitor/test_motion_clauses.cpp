@@ -402,6 +402,14 @@ TEST_CASE("H-33.2: a duty falls at once", "[monitor][H-33]") {
   CHECK(breaches(9) == "");
 }
 
+TEST_CASE("H-33.2: bridge and relay without the brakes are not all", "[monitor][H-33]") {
+  Stage stage = at_100();
+  stage.jump(0, 0);
+  stage.pins.bridge_enable = stage.pins.motor_relay = false;
+  stage.cycle(sr::forward, spm::ready);
+  CHECK(stage.breaks("H-33.2"));
+}
+
 TEST_CASE("H-33.2: all may go off together", "[monitor][H-33]") {
   Stage stage = at_100();
   stage.jump(0, 0);

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "simulation/board/host_board.hpp"
+#include "simulation/eeprom/layout.hpp"
 #include "simulation/scenario/parse.hpp"
 
 namespace {
@@ -218,6 +220,32 @@ TEST_CASE("mistakes about remote, attendant control and programmer are named wit
         "file.yaml:3:18: programmer has no 'type' (did you mean 'types'?)");
   CHECK(complaints_about(head + "  - programer: clears\n") ==
         "file.yaml:3:5: unknown step 'programer' (did you mean 'programmer'?)");
+}
+
+TEST_CASE("what the event log remembers is asked for in its own words") {
+  const auto scenario = parse_scenario(
+      head + "  - expect: {last event: \"started, after a watchdog reset\", events include: the remote fell silent}\n",
+      "file.yaml");
+  const auto& conditions = std::get<Expect>(scenario.steps[0].action).conditions;
+  REQUIRE(conditions.size() == 2);
+  CHECK(conditions[0].text == "last event: started, after a watchdog reset");
+  World world(make_host_board());
+  const report::Facts facts(world);
+  const auto holds = [&](std::size_t i) { return conditions[i].holds(facts, facts.anchor()); };
+  CHECK_FALSE(holds(0));
+  CHECK(conditions[0].seen(facts, facts.anchor()) == "nothing yet");
+  std::vector<std::uint8_t> eeprom(4096, 0xFF);
+  eeprom::write_record(eeprom, {0, 17, 0, 3, 1});
+  eeprom::write_record(eeprom, {1, 1, 1, 0, 2});
+  world.board().set_eeprom(eeprom);
+  CHECK(holds(0));
+  CHECK(holds(1));
+  eeprom::write_record(eeprom, {2, 1, 2, 0, 3});
+  world.board().set_eeprom(eeprom);
+  CHECK_FALSE(holds(0));
+  CHECK(conditions[0].seen(facts, facts.anchor()) == "started, started, after a brown-out");
+  CHECK_THAT(complaints_about(head + "  - expect: {last event: startet}\n"),
+             Catch::Contains("'startet' is not one of: started, "));
 }
 
 TEST_CASE("a part of the chair is broken and mended on one side") {
