@@ -82,19 +82,19 @@ int16_t proportion_of(int16_t part, int16_t whole, uint8_t bits) {
   return static_cast<int16_t>(rest != 0 ? quotient + 1 : quotient);
 }
 
-// The same for a byte, and its opposite. A share of 1 is 255/256 here.
+}  // namespace
+
 uint8_t byte_share(int16_t part, int16_t whole) {
   const int16_t share = whole > 0 ? proportion_of(part, whole, 8) : int16_t{0};
   return static_cast<uint8_t>(share > 255 ? 255 : share);
 }
+
 int16_t scaled(int16_t whole, uint8_t share) {
   // Two small products: 8 bits times 8 is one instruction of the AVR, 16 times 16 is a call.
   const uint16_t of_high = static_cast<uint8_t>(whole >> 8) * uint16_t{share};
   const uint16_t of_low = static_cast<uint8_t>(whole & 0xFF) * uint16_t{share};
   return static_cast<int16_t>(of_high + (of_low >> 8));
 }
-
-}  // namespace
 
 DriveProfile make_profile(const Settings& settings) {
   DriveProfile profile;
@@ -122,12 +122,15 @@ bool is_at_rest(const Stick& stick, const DriveProfile& profile) {
 }
 
 // Not inlined: what is done with every general must not cost the other milliseconds registers.
-__attribute__((noinline)) Command command_of(const Stick& stick, const DriveProfile& profile, bool is_limping) {
+__attribute__((noinline)) Command command_of(const Stick& stick, const DriveProfile& profile, bool is_limping,
+                                             Demand most) {
   const int16_t pot = pot_share(stick.pot, profile);
   const int16_t speed = axis_share(stick.speed, profile);
   const int16_t maximum = speed < 0 ? profile.reverse_maximum : profile.forward_maximum;
   // SB-2.16: a cap, no scale
-  const int16_t ceiling = is_limping ? profile.limp_maximum : static_cast<int16_t>(full);
+  const int16_t own = is_limping ? profile.limp_maximum : static_cast<int16_t>(full);
+  // H-27: a ceiling below zero, which no battery has, would be a command.
+  const int16_t ceiling = most < Demand(0) ? int16_t{0} : most.count() < own ? most.count() : own;
   Command command;
   command.turn = limited(times(times(axis_share(stick.direction, profile), profile.turn_maximum), pot), ceiling);
   // Speed gives way before the turn does.

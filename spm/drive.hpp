@@ -73,8 +73,13 @@ DriveProfile make_profile(const Settings& settings);
 // Both axes inside the deadband (SB-01.8).
 bool is_at_rest(const Stick& stick, const DriveProfile& profile);
 
-// What the chair should do in the end, ramps aside. Limping, forward and turn together stay below LIMP's ceiling.
-Command command_of(const Stick& stick, const DriveProfile& profile, bool is_limping);
+// What the chair should do in the end, ramps aside. Forward and turn together stay below `most`, and limping below
+// LIMP's ceiling.
+Command command_of(const Stick& stick, const DriveProfile& profile, bool is_limping, Demand most = full_demand);
+
+// `part` of `whole` as a byte, rounded up, and its opposite; 0 <= part <= whole <= 16384. A share of 1 is 255/256 here.
+uint8_t byte_share(int16_t part, int16_t whole);
+int16_t scaled(int16_t whole, uint8_t share);
 
 // The speed of the chair's middle on the bus's scale, 31 = the profile's maximum whatever the pot says (SB-01.7).
 uint8_t speedo_of(const Wheels& demand, const DriveProfile& profile);

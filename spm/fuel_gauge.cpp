@@ -6,17 +6,18 @@ namespace spm {
 
 using namespace base;  // literals
 
-void FuelGauge::step(Millivolts battery, bool is_loaded, const Settings& settings, Instant now) {
+void FuelGauge::step(Millivolts at_rest, const Settings& settings, Instant now) {
   if (now - last_ < 100_ms) {
     return;
   }
   last_ = last_ + 100_ms;
-  const int32_t measured = static_cast<int32_t>(battery.count()) * 16;
+  const int32_t measured = static_cast<int32_t>(at_rest.count()) * 16;
   if (filtered_ == 0) {
     filtered_ = measured;
-  } else if (!is_loaded) {
+  } else {
     filtered_ = filtered_ + (measured - filtered_) / 32;
   }
+  const bool is_first = !is_settled_;
   is_settled_ = is_settled_ || now - started_ >= limits::gauge_settle;
   if (!is_settled_) {  // SB-01.1: reads 0 at first
     return;
@@ -24,9 +25,14 @@ void FuelGauge::step(Millivolts battery, bool is_loaded, const Settings& setting
   const int32_t empty = settings[Setting::battery_empty];
   const int32_t range = settings[Setting::battery_full] - empty;
   const int32_t above = (filtered_ / 16 - empty) * (limits::gauge_full + 1);
-  value_ = 0;
-  for (int32_t next = range; value_ < limits::gauge_full && above >= next; next += range) {  // a division, only cheaper
-    ++value_;
+  uint8_t steps = 0;  // above empty, as many as there are of `range` in it: a division, only cheaper
+  for (int32_t next = range; steps <= limits::gauge_full && above >= next; next += range) {
+    ++steps;
+  }
+  if (is_first || steps < value_) {
+    value_ = steps < limits::gauge_full ? steps : limits::gauge_full;
+  } else if (steps > value_ + 1) {
+    value_ = static_cast<uint8_t>(steps - 1);
   }
 }
 

@@ -1,5 +1,6 @@
-// How full the battery looks: its voltage at rest, slowly filtered, on the bus's scale of 0 to 18 (SB-01.1). Under load
-// the voltage says more about the load; the gauge keeps what it has.
+// How full the battery looks: the voltage it would have without load, slowly filtered, on the bus's scale of 0 to 18
+// (SB-01.1). It sinks at once and rises only by what it has gained beyond a whole step: no battery fills up while it is
+// driven, and none is seen to bounce.
 #pragma once
 
 #include <stdint.h>
@@ -14,7 +15,7 @@ class FuelGauge {
  public:
   void start(base::Instant now) { started_ = last_ = now; }
   // At least every 100 ms, which is its raster.
-  void step(base::Millivolts battery, bool is_loaded, const Settings& settings, base::Instant now);
+  void step(base::Millivolts at_rest, const Settings& settings, base::Instant now);
 
   uint8_t value() const { return value_; }
 

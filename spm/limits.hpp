@@ -78,6 +78,20 @@ constexpr Milliamps half_a_coil = 325_mA;         // a coil draws 0.65 A
 constexpr Milliamps least_of_two_coils = 975_mA;  // one and a half
 constexpr Milliamps most_of_two_coils = 2000_mA;
 
+// Motors: 0.15 ohm, 16 A for ever, 60 A for a while (H-31)
+constexpr Milliamps motor_peak = 60000_mA;
+constexpr Milliamps motor_continuous = 16000_mA;
+constexpr uint8_t stall_looks = 30;  // in a row, so 300 ms
+
+// Battery (H-26)
+constexpr Millivolts battery_hysteresis = 500_mV;
+constexpr Millivolts most_sag = 4000_mV;  // no load explains more: that is a battery that is worn out
+constexpr Milliamps electronics_current = 150_mA;
+// Half of full speed needs half the power on the same slope, and still crosses a road.
+constexpr Demand low_battery_ceiling = Demand(8192);
+constexpr Demand low_battery_step = Demand(82);  // in 100 ms: from full to half in 10 s
+constexpr uint16_t gentlest_braking = 1342;      // 1/256 of a step a millisecond: full speed to rest in 3125 ms
+
 // Reports
 constexpr uint8_t settings_every = 49;  // SB-0A.1: generals between two settings packets, as real modules do
 constexpr Millis longest_without_settings = 1000_ms;  // SB-0A.1

@@ -4,6 +4,7 @@
 #include <stdint.h>
 
 #include "drivers/base/time.hpp"
+#include "spm/current_limit.hpp"
 #include "spm/drive.hpp"
 #include "spm/drive_gate.hpp"
 #include "spm/park_brake.hpp"
@@ -32,6 +33,11 @@ class Motion {
     is_command_stale_ = true;
   }
 
+  // Each `limits::house_keeping`: what the motors draw (H-31), and what the battery can give and take (H-26). No
+  // command asks for more than `most`, from the next general on; less than full demand halves the acceleration as well.
+  void watch(const Inputs& in);
+  void spare_battery(Demand most, bool is_over_voltage);
+
   // One millisecond.
   void step(const Leave& leave, base::Instant now);
 
@@ -42,6 +48,8 @@ class Motion {
   bool are_brakes_released() const { return park_brake_.is_released(); }
   // As of the last general, or 0 as soon as the wheels get nothing (SB-01.7).
   uint8_t speedo() const { return speedo_; }
+  // H-31: until it is over, and the stick has been seen at rest.
+  bool is_stalled() const { return current_limit_.is_stalled(); }
   // The gate was once handed nonsense.
   bool has_refused() const { return gate_.has_refused(); }
   // Something that commands motion has changed in memory by itself; it has been mended (H-27).
@@ -54,6 +62,15 @@ class Motion {
   uint16_t sum_of_configuration() const;
 
   DriveProfile profile_ = {};
+  struct Rates {
+    uint16_t acceleration;
+    uint16_t forward_deceleration;
+    uint16_t reverse_deceleration;
+  };
+  Rates own_ = {};  // as the settings have them, whatever the battery allows
+  Demand most_ = full_demand;
+  bool is_battery_low_ = false;
+  bool is_over_voltage_ = false;
   ParkBrake::Times brake_times_ = {};
   uint16_t configuration_sum_ = 0;
   Stick stick_;
@@ -62,6 +79,7 @@ class Motion {
   bool was_limping_ = false;
   Ramps ramps_;
   ParkBrake park_brake_;
+  CurrentLimit current_limit_;
   DriveGate gate_;
   Wheels granted_;  // as the gate and the ramps remember it, too
   bool has_mended_ = false;

@@ -41,7 +41,7 @@ const Outputs& Spm::step(const Inputs& in, Instant now) {
     has_news_ = true;
   }
   if (has_news_ && !responder_.has_answer()) {
-    supervise(in, now);
+    supervise(now);
   }
   if (!unlogged_.empty() && !responder_.has_answer()) {
     log_faults(in, now);
@@ -114,20 +114,20 @@ void Spm::take_verdict(const Verdict& verdict, const Inputs& in, Stamp at, Insta
     end_turn(in, in.stamp - at, in.heard_count == 0 ? limits::latest_after_silence : 0_us, now);
   }
   if (verdict.what == Verdict::What::frame) {
-    take_frame(framer_.frame(), in, at, now);
+    take_frame(framer_.frame(), at, now);
   } else if (verdict.what == Verdict::What::finished) {
     end_turn(in, in.stamp - at, limits::latest_after_finish, now);
   }
 }
 
-void Spm::take_frame(const Frame& frame, const Inputs& in, Stamp at, Instant now) {
+void Spm::take_frame(const Frame& frame, Stamp at, Instant now) {
   const Admission admission = admit(frame);
   if (admission == Admission::corrupt) {  // SB-5.3
     take_corrupt();
     return;
   }
   if (link_.has_corrupt_run()) {  // SB-2.14: it counts, even if this very step ends it
-    supervise(in, now);
+    supervise(now);
   }
   link_.sound();  // SB-2.14: an unknown type too ends a run of corrupt packets
   has_news_ = true;
@@ -136,10 +136,10 @@ void Spm::take_frame(const Frame& frame, const Inputs& in, Stamp at, Instant now
   }
   switch (static_cast<Type>(frame.type)) {
     case Type::sr_general:
-      take_general(frame, in, at, now);
+      take_general(frame, at, now);
       break;
     case Type::sr_power_up:
-      take_power_up(frame, in, now);
+      take_power_up(frame, now);
       break;
     case Type::sr_hhp_data:
       if (phase_ == Phase::running) {  // SB-4.4: in the power-up phase only a power-up packet counts
@@ -172,7 +172,7 @@ void Spm::take_corrupt() {
   }
 }
 
-void Spm::take_power_up(const Frame& frame, const Inputs& in, Instant now) {
+void Spm::take_power_up(const Frame& frame, Instant now) {
   if (phase_ == Phase::running) {  // SB-3.4
     link_.restarted();
     has_restarted_ = true;
@@ -182,11 +182,11 @@ void Spm::take_power_up(const Frame& frame, const Inputs& in, Instant now) {
   phase_ = Phase::greeting;
   remote_ = decode_sr_power_up(frame);
   power_.heard(now);
-  supervise(in, now);
+  supervise(now);
   answer_power_up();
 }
 
-void Spm::take_general(const Frame& frame, const Inputs& in, Stamp at, Instant now) {
+void Spm::take_general(const Frame& frame, Stamp at, Instant now) {
   if (phase_ == Phase::silent) {  // SB-3.1
     return;
   }
@@ -220,7 +220,7 @@ void Spm::take_general(const Frame& frame, const Inputs& in, Stamp at, Instant n
   }
   neutral_.observe(is_resting);
   // The answer is due: faults that begin count at once, those that end may wait a millisecond.
-  const FaultSet present = present_faults(in);
+  const FaultSet present = present_faults();
   if (faults_.are_new(present)) {
     look_for_faults(present, now);
   }
@@ -256,8 +256,8 @@ void Spm::forget_others() {
 
 // ---- supervise: what is wrong, and what it forbids
 
-void Spm::supervise(const Inputs& in, Instant now) {
-  look_for_faults(present_faults(in), now);
+void Spm::supervise(Instant now) {
+  look_for_faults(present_faults(), now);
   weigh_inhibits();
 }
 
@@ -306,7 +306,7 @@ void Spm::weigh_inhibits() {
   inhibits_.put(Inhibit::awaiting_neutral, neutral_.is_awaited());
 }
 
-FaultSet Spm::present_faults(const Inputs& in) const {
+FaultSet Spm::present_faults() const {
   FaultSet present;
   present.put(Fault::internal, motion_.has_refused() || has_upset_ || do_clocks_differ_);
   present.put(Fault::corrupt_packets, link_.has_corrupt_run());
@@ -316,9 +316,8 @@ FaultSet Spm::present_faults(const Inputs& in) const {
   present.put(Fault::remote_fault, general_.local_fault);
   present.put(Fault::pot_error, general_.pot_error);
   present.put(Fault::remote_limps, healthy_generals_ < limits::healthy_proof);  // H-06
-  present.put(Fault::battery_flat, in.analog_ready && in.battery < Millivolts(settings_[Setting::battery_cutoff]));
   present.put(Fault::out_of_neutral, neutral_.is_violated());
-  return present | output_watch_.faults() | of_the_chip_;  // last: what begins empty costs less
+  return present | measured_;  // last: what begins empty costs less
 }
 
 // What the board says about itself, and how it started: once with every house-keeping is often enough.
@@ -470,11 +469,16 @@ void Spm::keep_house(const Inputs& in, Instant now) {
   kept_house_ = now;
   outputs_.are_switches_as_before = false;
   output_watch_.step(in, outputs_);
+  if (battery_.step(in, outputs_, settings_, faults_.active())) {
+    motion_.spare_battery(battery_.ceiling(), battery_.faults().has(Fault::over_voltage));
+  }
+  motion_.watch(in);
+  measured_ = output_watch_.faults() | battery_.faults() | faults_of_the_chip(in);
+  measured_.put(Fault::stalled, motion_.is_stalled());
   check_memory(now);
   compare_clocks(in, now);
-  of_the_chip_ = faults_of_the_chip(in);
-  supervise(in, now);
-  fuel_gauge_.step(in.battery, motion_.are_brakes_released(), settings_, now);
+  supervise(now);
+  fuel_gauge_.step(battery_.at_rest(), settings_, now);
   led_.step(faults_.summary().system_state, now);
   outputs_.status_led = led_.is_on();
   manage_power(in, now);

@@ -15,6 +15,7 @@
 #include "faults/heartbeat.hpp"
 #include "faults/link_supervisor.hpp"
 #include "faults/manager.hpp"
+#include "spm/battery.hpp"
 #include "spm/events.hpp"
 #include "spm/fault_rules.hpp"
 #include "spm/fuel_gauge.hpp"
@@ -81,20 +82,20 @@ class Spm {
 
   void hear(const Inputs& in, base::Instant now);
   void take_verdict(const bus::shark::Verdict& verdict, const Inputs& in, base::Stamp at, base::Instant now);
-  void take_frame(const bus::shark::Frame& frame, const Inputs& in, base::Stamp at, base::Instant now);
-  void take_power_up(const bus::shark::Frame& frame, const Inputs& in, base::Instant now);
-  void take_general(const bus::shark::Frame& frame, const Inputs& in, base::Stamp at, base::Instant now);
+  void take_frame(const bus::shark::Frame& frame, base::Stamp at, base::Instant now);
+  void take_power_up(const bus::shark::Frame& frame, base::Instant now);
+  void take_general(const bus::shark::Frame& frame, base::Stamp at, base::Instant now);
   void take_hhp_data(const bus::shark::HhpData& data, base::Instant now);
   void take_calibration(const bus::shark::JoystickCalibration& progress);
   void take_corrupt();
   void forget_others();
 
-  void supervise(const Inputs& in, base::Instant now);
+  void supervise(base::Instant now);
   void look_for_faults(FaultSet present, base::Instant now);
   void walk_faults(FaultSet present, base::Instant now);
   void log_faults(const Inputs& in, base::Instant now);
   void weigh_inhibits();
-  FaultSet present_faults(const Inputs& in) const;
+  FaultSet present_faults() const;
   static FaultSet faults_of_the_chip(const Inputs& in);
   Inhibits present_inhibits() const;
 
@@ -143,7 +144,7 @@ class Spm {
   bool are_settings_due_ = false;
 
   faults::Manager<Fault, fault_count, FaultBits> faults_;
-  FaultSet of_the_chip_;                                       // see faults_of_the_chip()
+  FaultSet measured_;                                          // what is looked at with every house-keeping
   FaultSet unlogged_;                                          // begun, not yet in the log: an answer went first
   base::Grant stop_is_over_{true};                             // no emergency stop is on its way (SB-2.17)
   Inhibits inhibits_ = Inhibits::of(Inhibit::no_general_yet);  // never empty before it has been weighed
@@ -158,6 +159,7 @@ class Spm {
   bool do_clocks_differ_ = false;  // H-24, until the supply goes
   SpeechWatch speech_watch_;
   Power power_;
+  Battery battery_;
   FuelGauge fuel_gauge_;
   StatusLed led_;
 

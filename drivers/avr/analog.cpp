@@ -2,6 +2,8 @@
 
 #include <avr/io.h>
 
+#include "drivers/base/scan_order.hpp"
+
 namespace drivers {
 namespace analog {
 
@@ -14,17 +16,7 @@ constexpr uint8_t converting = _BV(ADEN) | _BV(ADSC) | _BV(ADPS2) | _BV(ADPS1) |
 static_assert(F_CPU / 128 >= 50000 && F_CPU / 128 <= 200000, "the converter is exact from 50 to 200 kHz");
 
 uint16_t results[channel_count];
-uint8_t current;  // being converted, or converted since the last scan()
-uint8_t others;   // whose turn it is of those that come round slowly
-bool is_complete;
-
-// The four quick ones, then one of the others.
-uint8_t channel_after(uint8_t done) {
-  if (done < quick_channels - 1) {
-    return static_cast<uint8_t>(done + 1);
-  }
-  return done == quick_channels - 1 ? others : uint8_t{0};
-}
+base::ScanOrder<quick_channels, channel_count> order;  // at what is being converted, or was since the last scan()
 
 // All that the converter depends on: an upset does not last (H-27).
 void convert(uint8_t channel) {
@@ -36,24 +28,18 @@ void convert(uint8_t channel) {
 }  // namespace
 
 void start() {
-  current = 0;
-  others = quick_channels;
-  is_complete = false;
+  order = base::ScanOrder<quick_channels, channel_count>();
   DIDR0 = 0xFF;  // all of port A is analog
-  convert(current);
+  convert(order.current());
 }
 
 void scan() {
   if ((ADCSRA | _BV(ADIF)) == (converting | _BV(ADIF))) {
     return;  // not finished; an upset that would let it never finish does not count as that (H-27)
   }
-  results[current] = ADC;
-  if (current >= quick_channels) {
-    is_complete = is_complete || current == channel_count - 1;
-    others = current < channel_count - 1 ? static_cast<uint8_t>(current + 1) : quick_channels;
-  }
-  current = channel_after(current);
-  convert(current);
+  results[order.current()] = ADC;
+  order.advance();
+  convert(order.current());
 }
 
 uint16_t raw(Channel channel) {
@@ -61,7 +47,7 @@ uint16_t raw(Channel channel) {
 }
 
 bool is_ready() {
-  return is_complete;
+  return order.is_complete();
 }
 
 }  // namespace analog

@@ -231,6 +231,8 @@ extern "C" void test_memory() {
       // Two bytes of the image that a tool chooses so that the checksum over all of it comes out right
       // (drivers/avr/checksum).
       ".global image_checksum\n"
+      ".global image_checked_bytes\n"
+      ".set image_checked_bytes, %[checked_bytes]\n"
       "image_checksum:\n\t"
       ".word 0xFFFF\n"
       "1:\n\t"
@@ -238,10 +240,11 @@ extern "C" void test_memory() {
       : [kept] "i"(&kept), [first] "n"(RAMSTART >> 8), [behind] "n"((RAMEND + 1) >> 8), [guard] "n"(int{guard_byte}),
         [guards] "n"(int{guard_size}), [passed] "n"(int{all_passed}), [ram_failed] "n"(int{ram_failed}),
         [flash_failed] "n"(int{flash_failed}), [seed] "n"(crc_at_start & 0xFF), [right] "n"(crc_at_end),
-        [checked] "n"(drivers::self_test::checked_bytes >> 8), [result] "I"(_SFR_IO_ADDR(GPIOR2)),
-        [latch] "I"(drivers::avr::port_c + 2), [latch_bit] "I"(6), [led_direction] "I"(drivers::avr::port_b + 1),
-        [after_flash] "n"(149), [after_ram] "n"(146), [change] "n"(_BV(WDCE) | _BV(WDE)), [watchdog] "n"(_SFR_MEM_ADDR(WDTCSR)),
-        [led] "I"(drivers::avr::port_b + 2), [led_bit] "I"(1));
+        [checked] "n"(drivers::self_test::checked_bytes >> 8), [checked_bytes] "n"(drivers::self_test::checked_bytes),
+        [result] "I"(_SFR_IO_ADDR(GPIOR2)), [latch] "I"(drivers::avr::port_c + 2), [latch_bit] "I"(6),
+        [led_direction] "I"(drivers::avr::port_b + 1), [after_flash] "n"(149), [after_ram] "n"(146),
+        [change] "n"(_BV(WDCE) | _BV(WDE)), [watchdog] "n"(_SFR_MEM_ADDR(WDTCSR)), [led] "I"(drivers::avr::port_b + 2),
+        [led_bit] "I"(1));
 }
 static_assert(drivers::avr::PowerLatch::mask == 1 << 6 && drivers::avr::StatusLed::mask == 1 << 1, "as above");
 static_assert(RAMSTART % 256 == 0 && (RAMEND + 1) % 256 == 0, "the test counts pages");

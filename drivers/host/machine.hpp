@@ -11,6 +11,7 @@
 #include "drivers/analog.hpp"
 #include "drivers/base/heard_byte.hpp"
 #include "drivers/base/ring.hpp"
+#include "drivers/base/scan_order.hpp"
 #include "drivers/base/time.hpp"
 #include "drivers/base/turn_sender.hpp"
 #include "drivers/base/wake_count.hpp"
@@ -52,6 +53,11 @@ struct Machine {
   std::array<std::uint8_t, store::size> eeprom;  // erased (0xFF) when new
   bool is_store_writing = false;
   base::Instant store_written_at;
+
+  // Of the converter.
+  base::ScanOrder<analog::quick_channels, analog::channel_count> scan_order;
+  std::uint16_t converting = 0;
+  std::array<std::uint16_t, analog::channel_count> converted{};
 
   retained::Bytes retained{};
   // Of the self-test: what the program has found, and how far its round has come.

@@ -20,19 +20,21 @@ constexpr double electronics_current = 0.15;  // A
 constexpr double indicator_current = 1.75;
 constexpr double headlight_current = 2.5;
 constexpr double moving_actuator_current = 4;
+constexpr double kerb = 1e6;  // Ns, more than any chair has
 constexpr int most_friction_rounds = 30;
 constexpr double no_impulse = 1e-10;  // Ns
 
 // Dry friction as an impulse: as much as stops the movement, never more than its limit. Solved in rounds,
 // since each row moves the others, until none does; this is what lets the chair stand still exactly.
 struct Friction {
-  double limit;     // impulse of one step
-  double response;  // change of the row's speed by a unit impulse
+  double limit;         // impulse of one step
+  double response;      // change of the row's speed by a unit impulse
+  double obstacle = 0;  // how much more than `limit` there is against going forward
   double impulse = 0;
 
   double correct(double speed) {
     const double before = impulse;
-    impulse = std::clamp(impulse - speed / response, -limit, limit);
+    impulse = std::clamp(impulse - speed / response, -limit - obstacle, limit);
     return impulse - before;
   }
 };
@@ -74,9 +76,15 @@ void Chair::feed_motors(Time dt) {
   const double left = left_circuit.duty;
   const double right = right_circuit.duty;
   const double emf = left * motor_.back_emf(state_.left_wheel) + right * motor_.back_emf(state_.right_wheel);
-  const double ratio = Battery::resistance / Motor::resistance;
-  const double source = battery_.open_circuit() - Battery::resistance * load_current();
-  state_.battery_volts = (source + ratio * emf) / (1 + ratio * (left * left + right * right));
+  const auto terminals = [&](double resistance) {
+    const double ratio = resistance / Motor::resistance;
+    const double source = battery_.open_circuit() - resistance * load_current();
+    return (source + ratio * emf) / (1 + ratio * (left * left + right * right));
+  };
+  state_.battery_volts = terminals(Battery::resistance);
+  if (state_.battery_volts > battery_.open_circuit()) {  // it is being charged
+    state_.battery_volts = terminals(battery_.charging_resistance());
+  }
   state_.left_volts = left * state_.battery_volts;
   state_.right_volts = right * state_.battery_volts;
   state_.left_current = left_circuit.is_closed ? motor_.current(state_.left_volts, state_.left_wheel) : 0;
@@ -99,8 +107,10 @@ void Chair::move(double dt) {
 
   const double rolling = rolling_coefficient * mass * gravity * std::cos(angle) / 2 + Motor::gear_friction;
   const double wheel_response = per_mass + half_track * half_track * per_inertia;
-  Friction left{dt * (rolling + left_brake_.friction()), wheel_response};
-  Friction right{dt * (rolling + right_brake_.friction()), wheel_response};
+  Friction left{dt * (rolling + left_brake_.friction()), wheel_response,
+                has(left_damages_, Damage::blocked_wheel) ? kerb : 0};
+  Friction right{dt * (rolling + right_brake_.friction()), wheel_response,
+                 has(right_damages_, Damage::blocked_wheel) ? kerb : 0};
   Friction castors{dt * castor_friction, per_inertia};
   for (int round = 0; round < most_friction_rounds; ++round) {
     const double on_left = left.correct(speed + turn * half_track);

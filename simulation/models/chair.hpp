@@ -35,10 +35,11 @@ enum class Side : std::uint8_t { left, right };
 
 // What can be broken on one side; anything of it, both sides at once, and nothing at first.
 enum class Damage : std::uint8_t {
-  open_coil,     // the wire of the park brake's coil is off: no current, the brake stays engaged
-  shorted_coil,  // it draws far too much and lifts nothing
-  stuck_bridge,  // the motor has the full supply, forward, while the relay is closed
-  open_motor,    // the motor's wire is off: no current
+  open_coil,      // the wire of the park brake's coil is off: no current, the brake stays engaged
+  shorted_coil,   // it draws far too much and lifts nothing
+  stuck_bridge,   // the motor has the full supply, forward, while the relay is closed
+  open_motor,     // the motor's wire is off: no current
+  blocked_wheel,  // it stands against a kerb: it cannot turn forward, backward it can
 };
 
 class Chair {
@@ -59,7 +60,7 @@ class Chair {
   void set_position(double metres) { state_.position = metres; }
 
  private:
-  using Damages = std::array<bool, 4>;
+  using Damages = std::array<bool, 5>;
 
   // What connects a motor to the supply: nothing, or a bridge with its duty.
   struct Circuit {

@@ -23,6 +23,13 @@ constexpr int made_up_at_once = 8;        // steps of a duty within `held_up`
 constexpr int limp_duty = 209;            // 41 % of full (SB-2.16: default 40 %)
 constexpr Time limp_ramp = 1500ms;        // from LIMP's cause to the cap
 
+// Currents: 16 A for ever, 60 A at most; the sensors end at 100 A (H-31)
+constexpr double peak_amperes = 60;
+constexpr double peak_amperes_held = 62;  // a sensor's step of 0.25 A, and what a ramp adds between two looks
+constexpr double most_amperes = 80;       // beyond this it is a stuck output (H-10)
+constexpr Time current_reaction = 25ms;   // two looks, 10 ms apart, and a reading that may be 5 ms old
+constexpr Time longest_overload = 60ms;   // H-10: and then bridge, relay and brakes are off
+
 // Brakes
 constexpr Time brake_release = 98ms;       // coil on to torque: 100 ms less two samples
 constexpr Time brakes_after_stop = 250ms;  // SB-2.17

@@ -118,7 +118,7 @@ void Scene::take(const Sample& sample) {
   }
   ear_.advance(now);
   speech.advance(now);
-  wheels.take(sample.pins, now);
+  wheels.take(sample.pins, sample.chair.left_current, sample.chair.right_current, now);
   leave.advance(now, wheels.is_still());
   supply.advance(now, sample.pins.power_latch, wheels.is_still());
   stick.advance(wheels);

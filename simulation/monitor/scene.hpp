@@ -1,5 +1,6 @@
 // Everything the monitor knows at one moment; what its clauses are asked of. It knows what a person with an
-// oscilloscope on wires and pins can know: characters, wake, supply, pins, and that the chip was reset. Neither the
+// oscilloscope on wires and pins, and a clamp around each motor's wire, can know: characters, wake, supply, pins,
+// currents, and that the chip was reset. Neither the
 // firmware's state nor the chair's movement, nor what a scenario intends.
 #pragma once
 

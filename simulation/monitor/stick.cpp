@@ -22,8 +22,8 @@ void Stick::take(const SrGeneral& packet) {
 }
 
 void Stick::advance(const Wheels& wheels) {
-  forward_.follow(wheels.left() + wheels.right());
-  turn_.follow(wheels.left() - wheels.right());
+  forward_.follow(wheels.left() + wheels.right(), wheels.is_relieved());
+  turn_.follow(wheels.left() - wheels.right(), wheels.is_relieved());
   if (is_release_new_) {
     duty_at_release_ = std::max(wheels.largest(), wheels.largest_before());
     is_release_new_ = false;
@@ -41,8 +41,11 @@ void Stick::Axis::point(int reading, bool is_doubtful) {
 }
 
 // Until the duties have come round to the stick's side they may only come nearer.
-void Stick::Axis::follow(int duties) {
+void Stick::Axis::follow(int duties, bool is_relieved) {
   const int along = std::min(side * duties, 0);
+  if (is_relieved) {  // H-31: one wheel was cut
+    best = along;
+  }
   best = std::max(along, best.value_or(along));
   against = *best - along;
 }

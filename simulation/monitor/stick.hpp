@@ -33,7 +33,7 @@ class Stick {
     int against = 0;
 
     void point(int reading, bool is_doubtful);
-    void follow(int duties);
+    void follow(int duties, bool is_relieved);
   };
 
   std::optional<SrGeneral> general_;

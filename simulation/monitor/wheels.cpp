@@ -30,18 +30,31 @@ void Wheels::Wheel::begin_anew() {
   rise_credit = fall_credit = most_credit;
 }
 
-void Wheels::Wheel::take(int duty, Time passed, bool is_cut) {
+void Wheels::Wheel::take(int duty, double current, Time passed, bool is_cut) {
   before = now;
   now = duty;
+  weigh(current, passed);
   const double allowed = steps_a_nanosecond * static_cast<double>(passed.count());
   rise_credit = std::min(most_credit, std::max(0.0, rise_credit) + allowed);
   fall_credit = std::min(most_credit, std::max(0.0, fall_credit) + allowed);
   const int change = std::abs(now - before);
   if (has_grown()) {
     rise_credit -= change;
-  } else if (!is_cut) {
+  } else if (!is_cut && !is_relieved()) {
     fall_credit -= change;
   }
+}
+
+void Wheels::Wheel::weigh(double current, Time passed) {
+  overloaded = std::abs(current) > limits::most_amperes ? overloaded + passed : Time{};
+  const bool is_driven = (current > 0 && before > 0) || (current < 0 && before < 0);
+  const bool is_above = is_driven && std::abs(current) > limits::peak_amperes;
+  above_peak = is_above && std::abs(current) > limits::peak_amperes_held ? above_peak + passed : Time{};
+  relief = is_above ? limits::current_reaction : std::max(Time{}, relief - passed);
+}
+
+bool Wheels::Wheel::grows_above_peak() const {
+  return above_peak > limits::current_reaction && has_grown();
 }
 
 // Away from zero, or through it.
@@ -61,15 +74,15 @@ void Wheels::begin_anew(Time now) {
   at_ = before_at_ = zero_from_ = still_from_ = braked_until_ = now;
 }
 
-void Wheels::take(const Pins& pins, Time now) {
+void Wheels::take(const Pins& pins, double left_current, double right_current, Time now) {
   before_ = pins_;
   pins_ = pins;
   before_at_ = at_;
   at_ = now;
   // A sample may fall between the pins; that the brakes follow, and together, is for other clauses (H-12.3, H-12.2).
   const bool is_cut = !pins.bridge_enable && !pins.motor_relay;
-  left_.take(signed_duty(pins.left_duty, pins.left_forward), at_ - before_at_, is_cut);
-  right_.take(signed_duty(pins.right_duty, pins.right_forward), at_ - before_at_, is_cut);
+  left_.take(signed_duty(pins.left_duty, pins.left_forward), left_current, at_ - before_at_, is_cut);
+  right_.take(signed_duty(pins.right_duty, pins.right_forward), right_current, at_ - before_at_, is_cut);
   if (!is_zero()) {
     zero_from_ = now + sample_period;
   }

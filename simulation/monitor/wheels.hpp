@@ -1,6 +1,7 @@
 // Motors and brakes as their pins show them, a sample a millisecond: what grew, how fast, and since when.
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "simulation/world.hpp"
@@ -11,7 +12,8 @@ class Wheels {
  public:
   // No supply, or a reset: whatever is seen next begins from rest.
   void begin_anew(Time now);
-  void take(const Pins& pins, Time now);
+  // Currents in amperes, forward positive.
+  void take(const Pins& pins, double left_current, double right_current, Time now);
 
   const Pins& pins() const { return pins_; }
   Time at() const { return at_; }
@@ -27,6 +29,12 @@ class Wheels {
   bool has_flipped() const { return left_.has_flipped() || right_.has_flipped(); }
   bool rises_too_fast() const { return left_.rise_credit < 0 || right_.rise_credit < 0; }
   bool falls_too_fast() const { return left_.fall_credit < 0 || right_.fall_credit < 0; }
+
+  // H-31: one of them, for longer than that.
+  bool is_overloaded_for(Time span) const { return std::max(left_.overloaded, right_.overloaded) > span; }
+  bool grows_above_peak() const { return left_.grows_above_peak() || right_.grows_above_peak(); }
+  // A motor draws, or drew a moment ago, more than its peak: then its duty may fall at once, and the chair turn.
+  bool is_relieved() const { return left_.is_relieved() || right_.is_relieved(); }
 
   bool is_a_brake_released() const { return pins_.left_brake_release || pins_.right_brake_release; }
   bool are_both_released() const { return pins_.left_brake_release && pins_.right_brake_release; }
@@ -52,8 +60,15 @@ class Wheels {
     double fall_credit = 0;
 
     void begin_anew();
-    void take(int duty, Time passed, bool is_cut);
+    Time overloaded{};  // since when there is more current than any motor stands
+    Time above_peak{};  // since when the motor is driven with more than its peak
+    Time relief{};      // still to come, since it was
+
+    void take(int duty, double current, Time passed, bool is_cut);
+    void weigh(double current, Time passed);
     bool has_grown() const;
+    bool grows_above_peak() const;
+    bool is_relieved() const { return relief > Time{}; }
     bool has_flipped() const;
   };
 

@@ -159,10 +159,9 @@ struct Part {
 
 const std::vector<Part>& parts() {
   static const std::vector<Part> rows{
-      {"open brake coil", Damage::open_coil},
-      {"shorted brake coil", Damage::shorted_coil},
-      {"stuck bridge", Damage::stuck_bridge},
-      {"open motor", Damage::open_motor},
+      {"open brake coil", Damage::open_coil},   {"shorted brake coil", Damage::shorted_coil},
+      {"stuck bridge", Damage::stuck_bridge},   {"open motor", Damage::open_motor},
+      {"blocked wheel", Damage::blocked_wheel},
   };
   return rows;
 }
@@ -241,6 +240,8 @@ const std::vector<FaultWord>& fault_words() {
        break_part<Damage::stuck_bridge>},
       {"open motor", "fault: {open motor: left}", "the wire is off: no current, until 'restore'",
        break_part<Damage::open_motor>},
+      {"blocked wheel", "fault: {blocked wheel: left}",
+       "that wheel stands against a kerb: it cannot turn forward, until 'restore'", break_part<Damage::blocked_wheel>},
       {"flash bit", "fault: {flash bit: 38000, bit: 3}",
        "one bit of the power module's program flips, in the chip; the same again flips it back", flip_flash},
       {"stuck RAM bit", "fault: {stuck RAM bit: 9000, bit: 3, level: high}",

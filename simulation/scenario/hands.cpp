@@ -273,9 +273,11 @@ std::string Hands::apply(const Break& broken) {
     case Damage::stuck_bridge:
       return tell("bridge", "is stuck: full voltage, forward");
     case Damage::open_motor:
+      return tell("motor's wire", "is off");
+    case Damage::blocked_wheel:
       break;
   }
-  return tell("motor's wire", "is off");
+  return fmt::format("the {} wheel {}", side, broken.is_broken ? "stands against a kerb" : "is free again");
 }
 
 std::string Hands::apply(const SpoilMemory& spoiled) {

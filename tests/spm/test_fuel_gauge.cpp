@@ -13,9 +13,9 @@ struct Gauge {
   std::uint32_t now;
 
   explicit Gauge(std::uint32_t start = 0) : now(start) { gauge.start(Instant(start)); }
-  int pass(int milliseconds, int battery, bool is_loaded = false) {
+  int pass(int milliseconds, int at_rest) {
     for (int i = 0; i < milliseconds; ++i) {
-      gauge.step(Millivolts(static_cast<std::uint16_t>(battery)), is_loaded, settings, Instant(++now));
+      gauge.step(Millivolts(static_cast<std::uint16_t>(at_rest)), settings, Instant(++now));
     }
     return gauge.value();
   }
@@ -31,16 +31,21 @@ TEST_CASE("the gauge reads 0 for the first half second and the battery after it"
   }
 }
 
-TEST_CASE("the gauge keeps its value while the battery is loaded, and follows it again after that", "[SB-01.1]") {
+TEST_CASE("the gauge sinks at once and rises only by what is more than a step", "[SB-01.1]") {
   Gauge gauge;
-  CHECK(gauge.pass(700, 25300) == 18);
-  CHECK(gauge.pass(60000, 22500, true) == 18);
-  CHECK(gauge.pass(60000, 22500) == 0);
+  CHECK(gauge.pass(700, 23990) == 10);  // 1490 * 19 / 2800 = 10.1
+  CHECK(gauge.pass(30000, 23960) == 9);
+  CHECK(gauge.pass(30000, 23990) == 9);
+  CHECK(gauge.pass(30000, 24110) == 9);   // 10.9
+  CHECK(gauge.pass(30000, 24140) == 10);  // 11.1
+  CHECK(gauge.pass(30000, 23990) == 10);
 }
 
-TEST_CASE("a battery that is loaded from the start is judged by what there is", "[SB-01.1]") {
-  CHECK(Gauge().pass(700, 22500, true) == 0);
-  CHECK(Gauge().pass(700, 25300, true) == 18);
+TEST_CASE("a full battery is shown as full again, though it was not for a while", "[SB-01.1]") {
+  Gauge gauge;
+  CHECK(gauge.pass(700, 25100) == 17);
+  CHECK(gauge.pass(60000, 25290) == 17);
+  CHECK(gauge.pass(60000, 25400) == 18);
 }
 
 TEST_CASE("the gauge stays between 0 and 18 for every voltage there is", "[SB-01.1]") {
@@ -86,7 +91,7 @@ TEST_CASE("the scale is the settings'") {
   gauge.settings.set(Setting::battery_empty, 24000);
   gauge.settings.set(Setting::battery_full, 28000);
   CHECK(gauge.pass(700, 24000) == 0);
-  CHECK(gauge.pass(60000, 26000) == 9);
+  CHECK(gauge.pass(60000, 26000) == 8);  // 9.5
   CHECK(gauge.pass(60000, 28100) == 18);
 }
 

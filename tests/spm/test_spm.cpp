@@ -341,7 +341,7 @@ TEST_CASE("our longest turn is over 8.5 ms after it began", "[SB-2.2][H-30]") {
 
 TEST_CASE("captured from a real chair: inhibited by the remote, at rest, battery empty", "[SB-01.2][SB-00.4]") {
   Bench bench = Bench::ready();
-  bench.in.battery = base::Millivolts(20000);
+  bench.in.battery = base::Millivolts(22000);  // empty, and not yet low (H-26)
   bench.cycle(wire::at_rest, 1500);
   bench.cycle({0x60, 0xC0, 0xBF, 0xFF, 0xCD, 0x80, 0x8C, 0x80, 0xC8}, 3);
   CHECK(bench.last_turn() == Bytes{0x61, 0x80, 0xC0, 0xC0, 0x80, 0x80, 0x80, 0x80, 0x9E, 0x0F});
@@ -360,7 +360,7 @@ TEST_CASE("captured from a real chair: driving, standing still, battery full", "
 TEST_CASE("captured from a real chair: full stick at pot 0 while limping after a lost link",
           "[SB-2.16][SB-01.1][SB-01.7][SB-01.9]") {
   Bench bench = Bench::ready();
-  bench.in.battery = base::Millivolts(24900);
+  bench.in.battery = base::Millivolts(25100);  // up from 24 V: the gauge has not yet come to its last step
   bench.run_ms(100);
   bench.cycle(wire::at_rest, 600);
   bench.cycle(wire::forward_slow, 120);

@@ -15,6 +15,8 @@ drivers::host::Machine& machine() {
 void measure(uint16_t raw) {
   drivers::host::select(machine());
   machine().analog_raw.fill(raw);
+  machine().converted.fill(raw);
+  machine().converting = raw;
 }
 
 const drivers::bridge::Motion& motion() {

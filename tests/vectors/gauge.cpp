@@ -18,7 +18,7 @@ namespace {
 uint8_t after(FuelGauge& gauge, Instant& now, uint16_t millivolts, uint8_t count) {
   for (uint8_t i = 0; i < count; ++i) {
     now = now + Millis(100);
-    gauge.step(Millivolts(millivolts), false, Settings(), now);
+    gauge.step(Millivolts(millivolts), Settings(), now);
   }
   return gauge.value();
 }
@@ -51,7 +51,7 @@ void fuel_gauge(Record& record) {
       if (random.one_in(8)) {
         millivolts = random.word();
       }
-      gauge.step(Millivolts(millivolts), false, settings, now);
+      gauge.step(Millivolts(millivolts), settings, now);
       record.add(gauge.value());
     }
   }

@@ -77,6 +77,8 @@ void Stage::sample() {
   sample.pins = pins;
   sample.spm_powered = is_powered_;
   sample.resets = resets_;
+  sample.chair.left_current = left_current_;
+  sample.chair.right_current = right_current_;
   monitor_->on_sample(sample);
 }
 

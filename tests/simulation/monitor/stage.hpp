@@ -83,6 +83,7 @@ class Stage {
   // From now on the duties go there, by so many steps a millisecond. Forward positive.
   void drive(int left, int right, int step = 1);
   void jump(int left, int right);
+  void currents(double left, double right) { left_current_ = left, right_current_ = right; }
   void brakes(bool are_released);  // with bridge and relay
   // Just before the sample so long from now.
   void later(Time span, std::function<void()> deed) { deeds_.emplace_back(now + span, std::move(deed)); }
@@ -113,6 +114,8 @@ class Stage {
   int left_goal_ = 0;
   int right_goal_ = 0;
   int step_ = 1;
+  double left_current_ = 0;  // A
+  double right_current_ = 0;
 };
 
 }  // namespace stage

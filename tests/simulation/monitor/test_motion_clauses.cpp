@@ -418,3 +418,66 @@ TEST_CASE("H-33.2: all may go off together", "[monitor][H-33]") {
   stage.cycle(sr::forward, spm::ready);
   CHECK(stage.breaches() == "");
 }
+
+TEST_CASE("H-33.2: a duty may fall at once while it drives too much current, and shortly after",
+          "[monitor][H-33][H-31]") {
+  const auto breaches = [](double current, Time after) {
+    Stage stage = at_100();
+    stage.currents(current, 0);
+    stage.run(1ms);
+    stage.currents(0, 0);
+    stage.later(after, [&] { stage.jump(60, 100); });
+    stage.cycles(2, sr::forward, spm::driving);
+    return stage.breaches();
+  };
+  CHECK(breaches(61, 20ms) == "");
+  CHECK(is_caught(breaches(61, 30ms), "H-33.2"));
+  CHECK(is_caught(breaches(59, 1ms), "H-33.2"));
+  CHECK(is_caught(breaches(-61, 1ms), "H-33.2"));  // that motor brakes
+}
+
+TEST_CASE("H-11.3: a wheel that is cut may turn the chair, but not when its current is gone", "[monitor][H-11][H-31]") {
+  const auto breaches = [](double current) {
+    Stage stage;
+    stage.set_off(sr::right);
+    stage.drive(20, 0);
+    stage.cycles(2, sr::right, spm::driving);
+    stage.currents(current, 0);
+    stage.run(1ms);
+    stage.jump(12, 0);
+    stage.run(1ms);
+    stage.drive(12, 24, 2);
+    stage.cycles(1, sr::right, spm::driving);
+    return stage.breaches();
+  };
+  CHECK(breaches(70) == "");
+  CHECK(is_caught(breaches(20), "H-11.3"));
+}
+
+TEST_CASE("H-31.1: more than 80 A for more than 60 ms", "[monitor][H-31]") {
+  const auto breaches = [](double left, double right, Time span) {
+    Stage stage = at_100();
+    stage.later(1ms, [&] { stage.currents(left, right); });
+    stage.later(1ms + span, [&] { stage.currents(0, 0); });
+    stage.cycles(6, sr::forward, spm::driving);
+    return stage.breaches();
+  };
+  CHECK(breaches(81, 0, 60ms) == "");
+  CHECK(is_caught(breaches(81, 0, 61ms), "H-31.1"));
+  CHECK(is_caught(breaches(0, -81, 61ms), "H-31.1"));
+  CHECK(breaches(80, -80, 100ms) == "");
+}
+
+TEST_CASE("H-31.2: a duty grows while its motor has more than its peak current", "[monitor][H-31]") {
+  const auto breaches = [](double left, Time after) {
+    Stage stage = at_100();
+    stage.later(1ms, [&] { stage.currents(left, 0); });
+    stage.later(1ms + after, [&] { stage.drive(102, 102); });
+    stage.cycles(3, sr::forward, spm::driving);
+    return stage.breaches();
+  };
+  CHECK(is_caught(breaches(63, 25ms), "H-31.2"));
+  CHECK(breaches(63, 22ms) == "");
+  CHECK(breaches(62, 30ms) == "");
+  CHECK(breaches(-63, 30ms) == "");  // it brakes
+}
