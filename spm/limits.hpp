@@ -47,6 +47,9 @@ constexpr uint8_t healthy_proof = 5;
 // Speed
 constexpr bus::shark::PotReading pot_in_error = bus::shark::PotReading(128);  // SB-00.6: mid-range
 
+// SB-00.5: so long after its last data the programmer counts as active
+constexpr Millis programmer_active = 1000_ms;
+
 // Power
 constexpr Millis shortest_press = 50_ms;           // SB-4.1
 constexpr uint8_t confirm_proof = 2;               // SB-4.3: generals in a row

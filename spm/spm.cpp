@@ -229,6 +229,8 @@ void Spm::take_general(const Frame& frame, Stamp at, Instant now) {
 }
 
 void Spm::take_hhp_data(const HhpData& data, Instant now) {
+  programmer_at_ = now;
+  is_programmer_active_ = true;
   const bool was_losing = programmer_.is_losing();
   const uint8_t lost = programmer_.hear(data);
   if (lost != 0 && !was_losing) {
@@ -338,7 +340,8 @@ Inhibits Spm::present_inhibits() const {
   present.put(Inhibit::transient, !stop_is_over_.is_given());
   present.put(Inhibit::fault, faults.must_stop && !faults.is_transient);
   present.put(Inhibit::remote_inhibit, general_.remote_inhibit);    // SB-00.4
-  present.put(Inhibit::charger_inhibit, general_.charger_inhibit);  // SB-00.5
+  const bool does_charging_yield = settings_[Setting::charging_yields] != 0 && is_programmer_active_;
+  present.put(Inhibit::charger_inhibit, general_.charger_inhibit && !does_charging_yield);  // SB-00.5
   present.put(Inhibit::calibration, general_.calibration_active);   // SB-01.10
   present.put(Inhibit::invalid_mode, !mode_.is_drive());            // SB-00.7
   present.put(Inhibit::powering_down, power_.forbids_driving());    // SB-4.1
@@ -475,6 +478,7 @@ void Spm::keep_house(const Inputs& in, Instant now) {
   motion_.watch(in);
   measured_ = output_watch_.faults() | battery_.faults() | faults_of_the_chip(in);
   measured_.put(Fault::stalled, motion_.is_stalled());
+  is_programmer_active_ = is_programmer_active_ && now - programmer_at_ < limits::programmer_active;
   check_memory(now);
   compare_clocks(in, now);
   supervise(now);

@@ -134,6 +134,8 @@ class Spm {
   base::Optional<bus::shark::SacuGeneral> attendant_general_;
   bus::shark::JoystickCalibration attendant_calibration_;
   Programmer programmer_;
+  base::Instant programmer_at_;        // when it last sent something
+  bool is_programmer_active_ = false;  // not long ago (SB-00.5)
   bool has_news_ = false;       // something was heard that the fault rows have not seen
   bool has_restarted_ = false;  // SB-3.4, until the fault rows have seen it
   OperatingMode mode_;

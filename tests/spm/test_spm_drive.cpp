@@ -120,6 +120,33 @@ TEST_CASE("whatever forbids to drive stops the chair from the next millisecond o
   }
 }
 
+TEST_CASE("charging forbids to drive whatever the programmer does, unless a setting says that it yields to it",
+          "[SB-00.5][H-19]") {
+  const Bytes charging_at_rest = sr_general({512, 512, 255, 0x08, 0, 0});
+  const Bytes charging_forward = sr_general({1022, 512, 255, 0x08, 0, 0});
+  const Bytes typed{0x02, 0xC1, 0xBC};  // HHP data: "A"
+  for (const bool does_yield : {false, true}) {
+    CAPTURE(does_yield);
+    spm::Settings settings;
+    settings.set(spm::Setting::charging_yields, does_yield ? 1 : 0);
+    Bench bench = Bench::ready(Bench(1000, settings));
+    bench.cycle(charging_at_rest + typed, 10);
+    CHECK(bench.is_inhibit_shown() == !does_yield);
+    bench.cycle(charging_forward + typed, 50);
+    CHECK((bench.left() > 0) == does_yield);
+    if (!does_yield) {
+      continue;
+    }
+    bench.cycle(charging_forward, 49);  // 980 ms after the last character
+    CHECK_FALSE(bench.is_inhibit_shown());
+    bench.cycle(charging_forward, 3);
+    CHECK(bench.is_inhibit_shown());
+    bench.cycle(charging_forward, 90);
+    CHECK(bench.is_still());
+    CHECK(bench.is_braked());
+  }
+}
+
 TEST_CASE("one general with a forbidding bit is enough, even among good ones", "[H-06][H-19]") {
   for (const Forbidden& one : forbidden) {
     CAPTURE(one.name);
@@ -208,7 +235,8 @@ TEST_CASE("a non-critical fault of the remote makes the chair limp while it last
   CHECK_FALSE(bench.general_bit(0, 5));
 }
 
-TEST_CASE("one garbled general without the non-critical fault does not end its LIMP, nor four", "[SB-00.6][H-06][H-07]") {
+TEST_CASE("one garbled general without the non-critical fault does not end its LIMP, nor four",
+          "[SB-00.6][H-06][H-07]") {
   Bench bench = Bench::ready();
   bench.cycle(wire::non_critical_fault, 300);
   for (int i = 0; i < 50; ++i) {
