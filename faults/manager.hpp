@@ -137,6 +137,9 @@ class Manager {
   // For a condition that is present and does not count yet.
   bool outlasts_debounce(const Row& row, uint8_t i, bool was_present, base::Instant now) {
     const base::Millis debounce(base::from_flash(row.debounce_ms));
+    if (debounce == base::Millis(0)) {
+      return true;
+    }
     base::Instant& since = since_[i];
     if (!was_present) {
       since = now;

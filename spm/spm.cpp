@@ -59,6 +59,7 @@ void Spm::start(const Inputs& in, Instant now) {
   last_step_ = now;
   settings_sum_ = settings_.sum();
   motion_.configure(settings_);
+  sleep_after_ = Millis(settings_[Setting::sleep_timeout] * uint32_t{60000});
   power_.start(now + Millis(0U - in.start_took.count()));  // SB-4.4: from the reset on
   fuel_gauge_.start(now);
   record(EventCode::started, static_cast<uint8_t>(in.start), now);  // SB-3.9
@@ -207,7 +208,7 @@ void Spm::take_general(const Frame& frame, Stamp at, Instant now) {
   const bool is_resting = motion_.is_stick_at_rest();
   power_.heard(now);
   const bool was_down_asked = power_.is_down_asked();
-  power_.general(general_, !is_resting, Millis(settings_[Setting::sleep_timeout] * uint32_t{60000}), now);
+  power_.general(general_, !is_resting, sleep_after_, now);
   if (power_.is_down_asked() && !was_down_asked) {
     record(EventCode::power_down_asked, power_.is_sleep_asked(), now);
   }
@@ -339,12 +340,12 @@ Inhibits Spm::present_inhibits() const {
   present.put(Inhibit::no_general_yet, phase_ != Phase::running);
   present.put(Inhibit::transient, !stop_is_over_.is_given());
   present.put(Inhibit::fault, faults.must_stop && !faults.is_transient);
-  present.put(Inhibit::remote_inhibit, general_.remote_inhibit);    // SB-00.4
+  present.put(Inhibit::remote_inhibit, general_.remote_inhibit);  // SB-00.4
   const bool does_charging_yield = settings_[Setting::charging_yields] != 0 && is_programmer_active_;
   present.put(Inhibit::charger_inhibit, general_.charger_inhibit && !does_charging_yield);  // SB-00.5
-  present.put(Inhibit::calibration, general_.calibration_active);   // SB-01.10
-  present.put(Inhibit::invalid_mode, !mode_.is_drive());            // SB-00.7
-  present.put(Inhibit::powering_down, power_.forbids_driving());    // SB-4.1
+  present.put(Inhibit::calibration, general_.calibration_active);                           // SB-01.10
+  present.put(Inhibit::invalid_mode, !mode_.is_drive());                                    // SB-00.7
+  present.put(Inhibit::powering_down, power_.forbids_driving());                            // SB-4.1
   return present;
 }
 

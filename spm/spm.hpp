@@ -161,6 +161,7 @@ class Spm {
   bool do_clocks_differ_ = false;  // H-24, until the supply goes
   SpeechWatch speech_watch_;
   Power power_;
+  base::Millis sleep_after_;  // SB-4.2: made once, a product costs every answer 5 us
   Battery battery_;
   FuelGauge fuel_gauge_;
   StatusLed led_;
