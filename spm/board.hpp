@@ -40,8 +40,8 @@ class Board {
   RestartWatch restarts_;
   base::Instant last_slow_;
   bool is_new_millisecond_ = false;  // and motors and brakes were not yet written in it
-  uint8_t turn_ = 0;  // whose it is to be read
-  uint8_t awaited_ = 0;  // as the transceiver was told
+  uint8_t turn_ = 0;                 // whose it is to be read
+  uint8_t awaited_ = 0;              // as the transceiver was told
 };
 
 }  // namespace spm

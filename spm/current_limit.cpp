@@ -50,7 +50,9 @@ int16_t limit_at(uint16_t temperature) {
 static_assert((hot - warm) * uint32_t{sinking} <= UINT16_MAX, "what the limit sinks fits");
 static_assert(most_steps * int32_t{standing_demand_for_a_step} <= INT16_MAX, "a standing demand fits");
 
-Demand nearer_zero(Demand value, int16_t most) {
+// A negative one is no limit that was ever set (H-27).
+Demand nearer_zero(Demand value, int16_t limit) {
+  const int16_t most = limit < 0 ? int16_t{0} : limit;
   return value.count() > most ? Demand(most) : value.count() < -most ? Demand(static_cast<int16_t>(-most)) : value;
 }
 
@@ -61,10 +63,11 @@ int16_t lesser(int16_t value, int16_t other) {
 }  // namespace
 
 // Not inlined: what is done seldom must not cost the loop's big functions registers.
-__attribute__((noinline)) void CurrentLimit::look(const Inputs& in, const Wheels& given, bool is_at_rest) {
+__attribute__((noinline)) void CurrentLimit::look(const Inputs& in, const Wheels& given, const Wheels& wanted,
+                                                  bool is_at_rest) {
   turn_ = static_cast<uint8_t>((turn_ + 1) & 3);
-  look_at(left_, in.left_current, given.left, turn_ == 0);
-  look_at(right_, in.right_current, given.right, turn_ == 2);
+  look_at(left_, in.left_current, given.left, wanted.left, turn_ == 0);
+  look_at(right_, in.right_current, given.right, wanted.right, turn_ == 2);
   is_acting_ = left_.most < unlimited || right_.most < unlimited;
   if (is_acting_ && !left_.is_urgent && !right_.is_urgent) {
     keep_curve(given);
@@ -76,7 +79,7 @@ __attribute__((noinline)) void CurrentLimit::look(const Inputs& in, const Wheels
   is_stalled_ = stands || hotter >= too_hot || (is_stalled_ && (!is_at_rest || hotter >= cooled));  // H-31
 }
 
-void CurrentLimit::look_at(Motor& motor, Milliamps current, Demand given, bool is_taken) {
+void CurrentLimit::look_at(Motor& motor, Milliamps current, Demand given, Demand wanted, bool is_taken) {
   const bool is_forward = current >= Milliamps(0);
   const uint32_t size = static_cast<uint32_t>(is_forward ? current.count() : -current.count()) >> 8;
   const int16_t steps = size > uint16_t{most_steps} ? most_steps : static_cast<int16_t>(size);
@@ -86,19 +89,18 @@ void CurrentLimit::look_at(Motor& motor, Milliamps current, Demand given, bool i
   motor.most = unlimited;
   motor.is_urgent = false;
   const int16_t limit = limit_at(motor.winding.temperature());
-  const bool is_driven = is_forward ? given > Demand(0) : given < Demand(0);
-  if (!is_driven || steps < limit - a_little) {
-    motor.standing = 0;
-    return;
-  }
   const int16_t demand = magnitude(given.count());
-  const bool stands = demand <= steps * standing_demand_for_a_step;
-  if (!stands || motor.winding.temperature() < stalls) {
-    motor.standing = 0;
-  } else if (motor.standing < limits::stall_looks) {
+  // It pushes to where the driver wants to go, and does not get there: it stands, or is pushed back, when its own
+  // voltage makes a current that leaves nothing to be given.
+  const bool pushes = (is_forward ? wanted > Demand(0) : wanted < Demand(0)) && steps >= limit - a_little;
+  const bool stands = pushes && demand <= steps * standing_demand_for_a_step && motor.winding.temperature() >= stalls;
+  if (stands && motor.standing < limits::stall_looks) {
     ++motor.standing;
+  } else if (!stands && motor.standing > 0) {
+    --motor.standing;
   }
-  if (steps <= limit) {
+  const bool is_driven = is_forward ? given > Demand(0) : given < Demand(0);
+  if (!is_driven || steps <= limit) {
     return;
   }
   motor.is_urgent = steps > urgent;

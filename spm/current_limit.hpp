@@ -31,19 +31,24 @@ class Winding {
   void take(uint8_t current) {
     // A 2^12th of it goes each time: a time constant of 164 s.
     heat_ = heat_ + static_cast<uint16_t>(current * uint16_t{current}) - static_cast<uint16_t>(temperature() * 16);
+    if (heat_ > most_heat) {  // H-27: no current gets it there
+      heat_ = most_heat;
+    }
   }
   // Above that of its surroundings; a sixteenth of the current's square in the end.
   uint16_t temperature() const { return static_cast<uint16_t>(heat_ >> 16); }
 
  private:
+  static constexpr uint32_t most_heat = uint32_t{65025 / 16} << 16;
+
   uint32_t heat_ = 0;
 };
 
 class CurrentLimit {
  public:
-  // Each `limits::house_keeping`. `given` is what the wheels have; `is_at_rest`: stick at rest and brakes engaged, the
-  // end of a stall.
-  void look(const Inputs& in, const Wheels& given, bool is_at_rest);
+  // Each `limits::house_keeping`. `given` is what the wheels have, `wanted` what they are to have in the end;
+  // `is_at_rest`: stick at rest and brakes engaged, the end of a stall.
+  void look(const Inputs& in, const Wheels& given, const Wheels& wanted, bool is_at_rest);
 
   // Whether bound() has anything to do.
   bool is_acting() const { return is_acting_; }
@@ -54,12 +59,12 @@ class CurrentLimit {
  private:
   struct Motor {
     Winding winding;
-    uint8_t standing = 0;  // looks in a row
+    uint8_t standing = 0;  // looks that found it so, less those that did not
     int16_t most = full_demand.count();
     bool is_urgent = false;
   };
 
-  static void look_at(Motor& motor, base::Milliamps current, Demand given, bool is_taken);
+  static void look_at(Motor& motor, base::Milliamps current, Demand given, Demand wanted, bool is_taken);
   void keep_curve(const Wheels& given);
 
   Motor left_;

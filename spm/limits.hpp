@@ -68,17 +68,21 @@ constexpr Demand steepest_rise = Demand(66);  // zero to full speed in 248 ms
 constexpr Millis stale_general = 66_ms;  // SB-2.15 once more, for the gate: a general older than this is no command
 constexpr Demand limp_ceiling = Demand(8192);  // SB-2.16: no setting lets LIMP exceed half of full voltage
 
+// A coil is a resistor, 0.65 A at 24 V when it is cold. Two of them, however warm, draw more than this, and one alone,
+// however cold, less: as many milliamps as the battery has millivolts, by 32.
+constexpr uint8_t two_coils_shift = 5;
+constexpr Millivolts least_coil_voltage = 16000_mV;  // a battery that says less is not believed
+
 // Outputs against their currents, looked at with every house-keeping; the board reads each sensor twice as often, each
 // time from a new conversion.
 constexpr uint8_t motor_looks = 4;                  // H-10: in a row, so at least 30 ms
 constexpr Milliamps stray_motor_current = 5000_mA;  // H-10: of a motor whose bridge is off
 constexpr Milliamps most_motor_current = 80000_mA;  // H-10: beyond its peak of 60 A, whatever is asked of it
-constexpr uint8_t bridge_proof = 4;               // H-10: in a row, relay closed and no current, before the first drive
-constexpr uint8_t coil_looks = 10;                // H-13: in a row, so 100 ms and not more
-constexpr uint8_t coil_proof = 2;                 // H-13: in a row with both coils on, before there is torque
-constexpr uint8_t lost_coil_looks = 4;            // H-13: in a row, of coils that were on: so all is cut within 60 ms
-constexpr Milliamps half_a_coil = 325_mA;         // a coil draws 0.65 A
-constexpr Milliamps least_of_two_coils = 975_mA;  // one and a half
+constexpr uint8_t bridge_proof = 4;        // H-10: in a row, relay closed and no current, before the first drive
+constexpr uint8_t coil_looks = 10;         // H-13: in a row, so 100 ms and not more
+constexpr uint8_t coil_proof = 2;          // H-13: in a row with both coils on, before there is torque
+constexpr uint8_t lost_coil_looks = 4;     // H-13: in a row, of coils that were on: so all is cut within 60 ms
+constexpr Milliamps half_a_coil = 325_mA;  // a coil draws 0.65 A
 constexpr Milliamps most_of_two_coils = 2000_mA;
 
 // Motors: 0.15 ohm, 16 A for ever, 60 A for a while (H-31)

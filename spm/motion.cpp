@@ -72,7 +72,7 @@ void Motion::mend() {
 
 void Motion::watch(const Inputs& in) {
   if (in.analog_ready) {
-    current_limit_.look(in, granted_, is_stick_at_rest() && !park_brake_.is_released());
+    current_limit_.look(in, granted_, mix(ramps_.target()), is_stick_at_rest() && !park_brake_.is_released());
   }
 }
 
@@ -116,9 +116,8 @@ __attribute__((noinline)) void Motion::step(const Leave& leave, base::Instant no
   }
 
   const Wheels asked = ramps_.demand();
-  granted_ =
-      gate_.pass(current_limit_.is_acting() ? current_limit_.bound(asked) : asked,  // H-31
-                 GateFacts{leave.may_drive, park_brake_.allows_torque(), leave.is_limping, leave.general_age});
+  granted_ = gate_.pass(current_limit_.is_acting() ? current_limit_.bound(asked) : asked,  // H-31
+                        GateFacts{leave.may_drive, park_brake_.allows_torque(), leave.is_limping, leave.general_age});
   if (granted_ != asked) {
     ramps_.yield_to(granted_);  // H-33: nothing to catch up with later
   }

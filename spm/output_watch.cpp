@@ -17,7 +17,7 @@ void OutputWatch::step(const Inputs& in, const Outputs& said) {
   if (!bridges_.is_given()) {
     prove_bridges(said);
   }
-  watch_coils(in.brake_coils, said.left_brake == Brake::released);
+  watch_coils(in, said.left_brake == Brake::released);
 }
 
 void OutputWatch::watch_motor(uint8_t& run, Milliamps current, Milliamps most, Fault fault) {
@@ -30,8 +30,10 @@ void OutputWatch::watch_motor(uint8_t& run, Milliamps current, Milliamps most, F
   }
 }
 
-void OutputWatch::watch_coils(Milliamps current, bool are_on) {
-  const Milliamps least = are_on ? limits::least_of_two_coils : Milliamps(0);
+void OutputWatch::watch_coils(const Inputs& in, bool are_on) {
+  const Milliamps current = in.brake_coils;
+  const base::Millivolts battery = in.battery > limits::least_coil_voltage ? in.battery : limits::least_coil_voltage;
+  const Milliamps least = are_on ? Milliamps(battery.count() >> limits::two_coils_shift) : Milliamps(0);
   const Milliamps most = are_on ? limits::most_of_two_coils : limits::half_a_coil;
   if (!are_on) {
     coils_.withhold();

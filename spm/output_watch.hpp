@@ -36,7 +36,7 @@ class OutputWatch {
  private:
   void watch_motor(uint8_t& run, base::Milliamps current, base::Milliamps most, Fault fault);
   void prove_bridges(const Outputs& said);
-  void watch_coils(base::Milliamps current, bool are_on);
+  void watch_coils(const Inputs& in, bool are_on);
 
   FaultSet faults_;
   base::Grant must_cut_;  // no flipped bit stops a chair at once

@@ -16,6 +16,8 @@ void RestartWatch::begin(const Bytes& kept, Start start, base::Instant now) {
   if (start != Start::power_on && is_whole(kept)) {  // H-25: a power cycle ends it
     newest_ = kept[0];
     older_ = kept[1];
+  } else if (is_unexpected(start)) {  // lost, perhaps in a start that was reset while it tested RAM: that counts as one
+    newest_ = 0;
   }
   if (is_unexpected(start) && !is_looping()) {
     const bool is_third = older_ <= within;

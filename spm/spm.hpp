@@ -136,8 +136,8 @@ class Spm {
   Programmer programmer_;
   base::Instant programmer_at_;        // when it last sent something
   bool is_programmer_active_ = false;  // not long ago (SB-00.5)
-  bool has_news_ = false;       // something was heard that the fault rows have not seen
-  bool has_restarted_ = false;  // SB-3.4, until the fault rows have seen it
+  bool has_news_ = false;              // something was heard that the fault rows have not seen
+  bool has_restarted_ = false;         // SB-3.4, until the fault rows have seen it
   OperatingMode mode_;
   Neutral neutral_;
   uint8_t healthy_generals_ = limits::healthy_proof;  // in a row, without the remote's non-critical fault

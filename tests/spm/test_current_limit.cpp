@@ -17,13 +17,15 @@ Wheels wheels(int left, int right) {
 struct Rig {
   CurrentLimit limit;
   Inputs in;
+  Wheels wanted;
+  bool is_pushed_back = false;  // what is wanted is not what is given
 
   // What is left of a demand after so many looks at those currents.
   Wheels look(double left, double right, const Wheels& given, int looks = 1, bool is_at_rest = false) {
     in.left_current = base::Milliamps(static_cast<std::int32_t>(left * 1000));
     in.right_current = base::Milliamps(static_cast<std::int32_t>(right * 1000));
     for (int i = 0; i < looks; ++i) {
-      limit.look(in, given, is_at_rest);
+      limit.look(in, given, is_pushed_back ? wanted : given, is_at_rest);
     }
     return limit.bound(given);
   }
@@ -220,6 +222,56 @@ TEST_CASE("when a stall gives way the chair goes on by its own ramp", "[H-31][H-
   bench.cycle(wire::forward_fast, 10);
   CHECK(bench.left() - before <= 520);  // 145 permille a second, 200 ms: 475
   CHECK(bench.left() - before >= 400);
+}
+
+TEST_CASE("a hot motor that is pushed back against what is wanted counts as standing, whatever is given",
+          "[H-31][H-11]") {
+  Rig rig;
+  rig.is_pushed_back = true;
+  rig.wanted = wheels(16384, 16384);
+  for (int i = 0; i < 20000 && !rig.limit.is_stalled(); ++i) {  // 200 s of climbing at 18 A, faster than it stands
+    rig.look(18, 18, wheels(12000, 12000));
+  }
+  REQUIRE_FALSE(rig.limit.is_stalled());
+  int looks = 0;
+  while (!rig.limit.is_stalled() && looks < 200) {  // rolling back: nothing is given, a little, nothing
+    rig.look(30, 30, looks % 3 == 2 ? wheels(40, 40) : wheels(0, 0));
+    ++looks;
+  }
+  CHECK(looks <= 60);
+}
+
+TEST_CASE("no flipped bit of a limit turns a wheel round", "[H-27][H-11]") {
+  Rig rig;
+  rig.look(75, 0, wheels(9000, 9000));  // one wheel is cut
+  REQUIRE(rig.limit.is_acting());
+  for (std::size_t bit = 0; bit < sizeof(CurrentLimit) * 8; ++bit) {
+    CurrentLimit limit = rig.limit;
+    auto* bytes = reinterpret_cast<unsigned char*>(&limit);
+    bytes[bit / 8] = static_cast<unsigned char>(bytes[bit / 8] ^ (1U << (bit % 8)));
+    CAPTURE(bit);
+    const Wheels bound = limit.bound(wheels(9000, 9000));
+    REQUIRE(bound.left >= Demand(0));
+    REQUIRE(bound.right >= Demand(0));
+    REQUIRE(bound.left <= Demand(9000));
+    REQUIRE(bound.right <= Demand(9000));
+  }
+}
+
+TEST_CASE("a winding whose heat has leapt cools all the same", "[H-27][H-31]") {
+  for (int bit = 24; bit < 32; ++bit) {
+    CAPTURE(bit);
+    Rig rig;
+    auto* bytes = reinterpret_cast<unsigned char*>(&rig.limit);  // the left winding's heat comes first
+    bytes[bit / 8] = static_cast<unsigned char>(bytes[bit / 8] ^ (1U << (bit % 8)));
+    int seconds = 0;
+    rig.look(0, 0, wheels(0, 0), 4);
+    while (rig.limit.is_stalled() && seconds < 900) {
+      rig.look(0, 0, wheels(0, 0), 100, true);
+      ++seconds;
+    }
+    CHECK(seconds < 600);
+  }
 }
 
 }  // namespace
