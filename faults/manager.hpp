@@ -76,15 +76,18 @@ class Manager {
   Faults limping() const { return limping_; }
 
  private:
+  static constexpr Faults with_rows() { return Faults::of_first(row_count); }
   static constexpr Faults complement(Faults faults) { return Faults::all().without(faults); }
 
   void walk(const Row (&rows)[row_count], Faults present, bool is_link_up, base::Instant now) {
     Summary sum;
     is_pending_ = false;
-    stopping_ = stopping_ | complement(not_stopping_);  // H-27: one of both copies is enough to go on stopping
-    limping_ = limping_ | complement(not_limping_);
+    // H-27: one of both copies is enough to go on stopping; of what has no row, nothing.
+    stopping_ = (stopping_ | complement(not_stopping_)) & with_rows();
+    limping_ = (limping_ | complement(not_limping_)) & with_rows();
+    counted_ = counted_ & with_rows();
     // The other rows neither do anything nor begin to.
-    const Faults concerned = present | counted_ | stopping_ | limping_;
+    const Faults concerned = (present & with_rows()) | counted_ | stopping_ | limping_;
     // Eight rows at a time: an AVR reckons in bytes.
     for (uint8_t part = 0; part < Faults::parts; ++part) {
       if (concerned.part(part) != 0) {

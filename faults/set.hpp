@@ -18,6 +18,8 @@ class Set {
     return Set(static_cast<Bits>(Bits{1} << static_cast<uint8_t>(item)));
   }
   static constexpr Set all() { return Set(static_cast<Bits>(~Bits{0})); }
+  // The first `count` of them; count < the number of bits.
+  static constexpr Set of_first(uint8_t count) { return Set(static_cast<Bits>((Bits{1} << count) - 1)); }
   // Walking all items in order, without a shift by a variable: first(), then next() of each.
   static constexpr Set first() { return Set(1); }
   constexpr Set eight_on() const { return Set(static_cast<Bits>(bits_ << 8)); }

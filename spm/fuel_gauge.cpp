@@ -12,7 +12,8 @@ void FuelGauge::step(Millivolts at_rest, const Settings& settings, Instant now) 
   }
   last_ = last_ + 100_ms;
   const int32_t measured = static_cast<int32_t>(at_rest.count()) * 16;
-  if (filtered_ == 0) {
+  constexpr int32_t most = int32_t{UINT16_MAX} * 16;
+  if (filtered_ <= 0 || filtered_ > most) {  // not begun, or no voltage at all (H-27)
     filtered_ = measured;
   } else {
     filtered_ = filtered_ + (measured - filtered_) / 32;
