@@ -1,10 +1,10 @@
 // Sleep between events.
 #pragma once
 
-// For the one function that the main loop calls again and again. The AVR's need not save registers for a loop that keeps
-// nothing in them; and that nothing lives across turns, neither there nor on the stack, is the point of having it (H-27):
-// an upset of what is used anew with each turn is gone with the next. tests/tools/budget looks whether the loop is no more
-// than a call.
+// For the one function that the main loop calls again and again. The AVR's need not save registers for a loop that
+// keeps nothing in them; and that nothing lives across turns, neither there nor on the stack, is the point of having it
+// (H-27): an upset of what is used anew with each turn is gone with the next. tests/tools/budget looks whether the loop
+// is no more than a call.
 #ifdef __AVR__
 #define TURN_OF_THE_LOOP __attribute__((OS_task, noinline))
 #else

@@ -20,8 +20,8 @@ class RestartWatch {
  public:
   using Bytes = base::Array<uint8_t, 4>;  // ages of the last two unexpected starts, and their complements
 
-  // `kept` is whatever RAM held. What is not whole was lost with the supply, or by a reset in the midst of the RAM test: an
-  // unexpected start then counts as the second.
+  // `kept` is whatever RAM held. What is not whole was lost with the supply, or by a reset in the midst of the RAM
+  // test: an unexpected start then counts as the second.
   void begin(const Bytes& kept, Start start, base::Instant now);
   // True if bytes() has changed.
   bool step(base::Instant now);

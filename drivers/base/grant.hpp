@@ -1,5 +1,5 @@
-// A permission that one flipped bit of memory can take away, but not give (H-27): of the 256 values of its byte only one
-// means "given", and it differs from "withheld" in all eight bits.
+// A permission that one flipped bit of memory can take away, but not give (H-27): of the 256 values of its byte only
+// one means "given", and it differs from "withheld" in all eight bits.
 #pragma once
 
 #include <stdint.h>

@@ -26,11 +26,12 @@ struct Fall {
 
 // LIMP, as far as it can be seen.
 struct Limp {
-  std::optional<Time> caused;        // the first certain cause that lasts until power-down
-  std::optional<Time> non_critical;  // since when the remote has set its non-critical fault, until five generals without
-  int clean_generals = 100;          // in a row, without that fault
-  int clean_answers = 100;           // in a row, to generals without that fault
-  bool is_latched_as_told = false;   // the power module has told of a LIMP that only power-down ends
+  std::optional<Time> caused;  // the first certain cause that lasts until power-down
+  std::optional<Time>
+      non_critical;                 // since when the remote has set its non-critical fault, until five generals without
+  int clean_generals = 100;         // in a row, without that fault
+  int clean_answers = 100;          // in a row, to generals without that fault
+  bool is_latched_as_told = false;  // the power module has told of a LIMP that only power-down ends
 };
 
 // Who spoke the character that is being judged, and what came of it.

@@ -239,7 +239,8 @@ TEST_CASE("a bit of RAM that disturbs another when it changes is found", "[H-27]
   }
 }
 
-TEST_CASE("a chip that fails its test runs no program, lights its LED and lets go of the supply after 5 s", "[H-27][SB-1.1][SB-4.4]") {
+TEST_CASE("a chip that fails its test runs no program, lights its LED and lets go of the supply after 5 s",
+          "[H-27][SB-1.1][SB-4.4]") {
   for (const bool is_ram : {false, true}) {
     CAPTURE(is_ram);
     Chip chip;

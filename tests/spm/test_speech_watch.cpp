@@ -97,7 +97,7 @@ TEST_CASE("every millisecond's work beats; that of others the core does not repo
     module.step();
     const faults::Beats beats = module.spm.take_beats();
     REQUIRE(beats.has(faults::Beat::step));
-    REQUIRE_FALSE(beats.has(faults::Beat::output));  // the board's
+    REQUIRE_FALSE(beats.has(faults::Beat::output));     // the board's
     REQUIRE_FALSE(beats.has(faults::Beat::self_test));  // likewise
   }
   module.spm.step(module.in, Instant(module.now));  // no new millisecond

@@ -95,7 +95,8 @@ TEST_CASE("H-16.2: the latch is let go without two confirms of what was asked", 
   CHECK(is_caught(breaches(10, false), "H-16.2"));
 }
 
-TEST_CASE("H-16.2: a module that never spoke may let go after 5 s, whoever calls it, and not sooner", "[monitor][H-16]") {
+TEST_CASE("H-16.2: a module that never spoke may let go after 5 s, whoever calls it, and not sooner",
+          "[monitor][H-16]") {
   const auto breaches = [](Time after, bool speaks) {
     Stage stage;
     stage.power(true);
