@@ -22,7 +22,6 @@ class Set {
   static constexpr Set of_first(uint8_t count) { return Set(static_cast<Bits>((Bits{1} << count) - 1)); }
   // Walking all items in order, without a shift by a variable: first(), then next() of each.
   static constexpr Set first() { return Set(1); }
-  constexpr Set eight_on() const { return Set(static_cast<Bits>(bits_ << 8)); }
   constexpr Set next() const { return Set(static_cast<Bits>(bits_ << 1)); }
 
   __attribute__((always_inline)) constexpr bool has(Item item) const { return has(of(item)); }

@@ -88,7 +88,7 @@ constexpr Milliamps most_of_two_coils = 2000_mA;
 // Motors: 0.15 ohm, 16 A for ever, 60 A for a while (H-31)
 constexpr Milliamps motor_peak = 60000_mA;
 constexpr Milliamps motor_continuous = 16000_mA;
-constexpr uint8_t stall_looks = 30;  // in a row, so 300 ms
+constexpr uint8_t stall_looks = 30;  // more than those that found it moving, so 300 ms at least
 
 // Battery (H-26)
 constexpr Millivolts battery_hysteresis = 500_mV;
