@@ -37,22 +37,25 @@ bool is_relay_closed_without_leave(const Scene& scene) {
   return scene.wheels.pins().motor_relay && scene.is_denied() && scene.wheels.still_for() > limits::reaction;
 }
 
-bool is_an_actuator_on(const Pins& pins) {
-  return pins.actuator1_extend || pins.actuator1_retract || pins.actuator2_extend || pins.actuator2_retract;
-}
-
 bool drives_and_actuates(const Scene& scene) {
-  return is_an_actuator_on(scene.wheels.pins()) && !scene.wheels.is_still();
+  return scene.actuators.is_on() && !scene.wheels.is_still();
 }
 
-bool extends_and_retracts(const Scene& scene) {
-  const Pins& pins = scene.wheels.pins();
-  return (pins.actuator1_extend && pins.actuator1_retract) || (pins.actuator2_extend && pins.actuator2_retract);
+bool actuates_under_a_reason(const Scene& scene, Time allowed) {
+  const auto since = scene.leave.denied_to_actuators_since();
+  return since && scene.now - *since > allowed;
 }
 
-bool actuates_unasked(const Scene& scene) {
-  const bool is_asked = scene.actuator_asked && scene.now - *scene.actuator_asked <= limits::actuators_off;
-  return is_an_actuator_on(scene.wheels.pins()) && !is_asked;
+bool keeps_an_actuator_on(const Scene& scene) {
+  return scene.actuators.is_on() && actuates_under_a_reason(scene, limits::actuators_off);
+}
+
+bool begins_an_actuator_without_leave(const Scene& scene) {
+  return scene.actuators.has_begun() && actuates_under_a_reason(scene, limits::reaction);
+}
+
+bool lights_without_lighting(const Scene& scene) {
+  return scene.lamps.is_lit() && scene.unlit_since && scene.now - *scene.unlit_since > limits::lamps_off;
 }
 
 bool is_on_after_reset(const Scene& scene) {
@@ -62,7 +65,7 @@ bool is_on_after_reset(const Scene& scene) {
 bool lights_for_an_old_remote(const Scene& scene) {
   const Pins& pins = scene.wheels.pins();
   return scene.old_since && scene.now - *scene.old_since > limits::lamps_off &&
-         (pins.left_indicator || pins.right_indicator || pins.headlight || is_an_actuator_on(pins));
+         (pins.left_indicator || pins.right_indicator || pins.headlight || scene.actuators.is_on());
 }
 
 }  // namespace
@@ -90,15 +93,30 @@ std::vector<Clause> brake_clauses() {
       {"H-17.1", "Drive and actuators are never on together",
        "any sample", "SB-00.7", M::millisecond, drives_and_actuates},
       {"H-18.1", "An actuator is never told to extend and to retract",
-       "any sample", "SB-00.7", M::millisecond, extends_and_retracts},
-      {"H-18.2", "An actuator runs only while generals ask for an actuator mode with the stick deflected",
-       "off 100 ms after the last", "SB-00.7, SB-3.7", M::millisecond, actuates_unasked},
+       "any sample", "SB-00.7", M::millisecond, [](const Scene& scene) { return scene.actuators.goes_both_ways(); }},
+      {"H-18.2", "An actuator runs only while the driver's generals ask for its mode with the stick deflected its way: forward extends",
+       "off 100 ms after the last; 30 off 512 is deflected", "SB-00.7, SB-3.7", M::millisecond, [](const Scene& scene) { return scene.actuators.is_unasked(); }},
+      {"H-18.3", "An actuator runs only in a mode that was told, as valid, and that includes it",
+       "a turn", "SB-00.7, SB-3.7, SB-3.8", M::millisecond, [](const Scene& scene) { return scene.actuators.is_outside_its_mode(); }},
+      {"H-18.4", "Emergency, inhibit, fault, lock, calibration, change of driver or mode: all actuators go off",
+       "100 ms", "SB-2.17, SB-00.4, SB-00.6, SB-08.2", M::millisecond, keeps_an_actuator_on},
+      {"H-18.5", "No actuator starts under one of these, nor before neutral was seen in its mode",
+       "5 ms", "SB-00.7, SB-01.8", M::millisecond, begins_an_actuator_without_leave},
+      {"H-18.6", "An actuator rests between extend and retract",
+       "400 ms", "SB-00.7", M::millisecond, [](const Scene& scene) { return scene.actuators.turns_round_too_soon(); }},
+      {"H-18.7", "No actuator is on for longer than 61 s",
+       "samples", "SB-00.7", M::millisecond, [](const Scene& scene) { return scene.actuators.is_on_too_long(); }},
       {"H-19.6", "An inhibit, another mode or the power button: the brakes are engaged 250 ms after the duties are zero",
        "samples", "SB-00.4, SB-00.5, SB-00.6, SB-4.1", M::millisecond, [](const Scene& scene) { return is_braked_late(scene, false); }},
       {"H-25.1", "A reset switches duties, bridge and brakes off at once",
        "the first sample after it", "SB-3.9", M::millisecond, is_on_after_reset},
       {"H-32.1", "An old remote with six data bytes: lamps and actuators are off",
        "100 ms after the first such general", "SB-00.3", M::millisecond, lights_for_an_old_remote},
+      {"H-32.3", "No lamp is lit unless both power-up packets, the power module's and the remote's with eight data bytes, tell of lighting",
+       "off 100 ms after one that does not", "SB-3.6, SB-04.2", M::millisecond, lights_without_lighting},
+      {"H-32.4", "No lamp is lit unless the remote asks for it",
+       "off 100 ms after the first general that does not; in silence the last one holds", "SB-3.6, SB-00.2", M::millisecond,
+       [](const Scene& scene) { return scene.lamps.is_unasked(); }},
   };
 }
 // clang-format on

@@ -55,9 +55,12 @@ constexpr Time earliest_after_silence = 2950us;  // SB-2.12, as a receiver with 
 constexpr Time latest_after_silence = 4600us;
 constexpr Time on_time = 10ms;  // H-30: in any `on_time_window`
 constexpr Time on_time_window = 20ms;
-constexpr Time speech_gap = 500us;     // a longer pause begins a new turn
-constexpr Time wake_latency = 1200us;  // two characters may already be on their way
-constexpr Time lamps_off = 100ms;      // SB-00.3
-constexpr Time actuators_off = 100ms;  // H-18
+constexpr Time speech_gap = 500us;      // a longer pause begins a new turn
+constexpr Time wake_latency = 1200us;   // two characters may already be on their way
+constexpr Time lamps_off = 100ms;       // SB-00.3
+constexpr Time actuators_off = 100ms;   // H-18
+constexpr Time actuator_pause = 400ms;  // between extend and retract
+constexpr Time actuator_longest = 61s;  // in one go
+constexpr Time lock_gives_up = 9900ms;  // still locked after 10 s: power-down may be asked for
 
 }  // namespace simulation::monitor::limits

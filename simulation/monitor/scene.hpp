@@ -7,8 +7,11 @@
 #include <optional>
 #include <string>
 
+#include "simulation/monitor/actuators.hpp"
+#include "simulation/monitor/attendant.hpp"
 #include "simulation/monitor/ear.hpp"
 #include "simulation/monitor/general.hpp"
+#include "simulation/monitor/lamps.hpp"
 #include "simulation/monitor/leave.hpp"
 #include "simulation/monitor/speech.hpp"
 #include "simulation/monitor/stick.hpp"
@@ -28,10 +31,11 @@ struct Fall {
 struct Limp {
   std::optional<Time> caused;  // the first certain cause that lasts until power-down
   std::optional<Time>
-      non_critical;                 // since when the remote has set its non-critical fault, until five generals without
-  int clean_generals = 100;         // in a row, without that fault
-  int clean_answers = 100;          // in a row, to generals without that fault
-  bool is_latched_as_told = false;  // the power module has told of a LIMP that only power-down ends
+      non_critical;          // since when the remote has set its non-critical fault, until five generals without
+  int clean_generals = 100;  // in a row, without that fault
+  std::optional<Time> of_attendant;  // since when the attendant control sets its own
+  int clean_answers = 100;           // in a row, to generals without that fault
+  bool is_latched_as_told = false;   // the power module has told of a LIMP that only power-down ends
 };
 
 // Who spoke the character that is being judged, and what came of it.
@@ -59,7 +63,10 @@ class Scene {
   Wheels wheels;
   Leave leave;
   Supply supply;
+  Attendant attendant;
   Stick stick;
+  Actuators actuators;
+  Lamps lamps;
   Speech speech;
   Said said;
   Limp limp;
@@ -68,13 +75,18 @@ class Scene {
   std::optional<Time> old_since;       // the remote sends six data bytes
   std::optional<SpmGeneral> report;    // the power module's last, and the one before it
   std::optional<SpmGeneral> report_before;
-  std::optional<Time> actuator_asked;  // a general that may move an actuator
+  // Of both packets together; since when there is no lighting.
+  std::optional<int> own_capabilities;  // as it has told them
+  int remote_capabilities = 0;
+  std::optional<Time> unlit_since;
 
   // Since the last general; very long if there was none.
   Time silence() const;
   // A reason has held longer than the power module may need to act on it, at both of the last samples.
   bool is_denied(Reason reason) const;
   bool is_denied() const;
+  // The module that drives has done so for longer than a turn when the power module began to speak.
+  bool drove(Driver driver) const;
   std::string tell() const;
 
  private:
@@ -83,6 +95,12 @@ class Scene {
   void hear(const Packet& packet);
   void hear_packet(const Packet& packet);
   void hear_general(const SrGeneral& packet);
+  void hear_attendant(const SacuGeneral& packet);
+  void hear_attendants_power_up(const Packet& packet);
+  void obey_change_of_driver(Time at);
+  void read_limp(const SrGeneral& packet);
+  void read_own_power_up(const Packet& packet);
+  void judge_lighting(Time at);
   void read_report(const SpmGeneral& packet, const Turn& answered);
   void follow_fall();
   void take_own(const BusByte& byte);
@@ -91,6 +109,8 @@ class Scene {
   // known of.
   const Turn& turn_known_at(Time start) const { return turn_.begun && turn_.first_end > start ? turn_before_ : turn_; }
 
+  std::optional<Time> remote_heard_;  // generals
+  std::optional<Time> attendant_heard_;
   Ear ear_;
   Turn turn_;
   Turn turn_before_;

@@ -9,7 +9,7 @@
 
 namespace simulation::monitor {
 
-void Stick::take(const SrGeneral& packet) {
+void Stick::take(const Joystick& packet) {
   general_ = packet;
   forward_.point(packet.speed, packet.is_doubtful);
   turn_.point(packet.direction, packet.is_doubtful);

@@ -12,10 +12,11 @@ namespace simulation::monitor {
 class Stick {
  public:
   void begin_anew() { *this = Stick(); }
-  void take(const SrGeneral& packet);
+  // A general of the module that drives.
+  void take(const Joystick& packet);
   void advance(const Wheels& wheels);
 
-  const std::optional<SrGeneral>& general() const { return general_; }  // the last
+  const std::optional<Joystick>& general() const { return general_; }  // the last
   // Since the first of the neutral ones up to now; only where it is certain.
   std::optional<Time> neutral_since() const { return neutral_since_; }
   // The largest duty when it became neutral.
@@ -36,7 +37,7 @@ class Stick {
     void follow(int duties, bool is_relieved);
   };
 
-  std::optional<SrGeneral> general_;
+  std::optional<Joystick> general_;
   std::optional<Time> neutral_since_;
   bool is_release_new_ = false;
   int duty_at_release_ = 0;

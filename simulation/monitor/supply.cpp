@@ -20,9 +20,9 @@ void Supply::heard(Time at, bool is_doubtful) {
   }
 }
 
-void Supply::general(const SrGeneral& packet) {
+void Supply::general(const SrGeneral& packet, bool drives) {
   heard(packet.end, packet.is_doubtful);
-  if (packet.power_switch || !packet.is_neutral()) {
+  if (packet.power_switch || (drives && !packet.is_neutral())) {
     active_ = packet.end;
   }
   if (!packet.power_switch) {
@@ -45,7 +45,10 @@ void Supply::general(const SrGeneral& packet) {
   }
 }
 
-void Supply::report(const SpmGeneral& packet) {
+void Supply::report(const SpmGeneral& packet, Time at) {
+  const Time possibly_since = has_reported_ ? at - limits::turn : began_;
+  locked_ = packet.locked ? locked_.value_or(possibly_since) : std::optional<Time>();
+  has_reported_ = true;
   if (packet.power_down_now && !asked_) {
     asked_ = heard_;
   }

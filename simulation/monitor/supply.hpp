@@ -6,14 +6,18 @@
 #include <string>
 
 #include "simulation/monitor/general.hpp"
+#include "simulation/monitor/limits.hpp"
 
 namespace simulation::monitor {
 
 class Supply {
  public:
   void begin_anew(Time now);
-  void general(const SrGeneral& packet);
-  void report(const SpmGeneral& packet);  // of the power module
+  // The remote's; its stick is the driver's for certain, or not.
+  void general(const SrGeneral& packet, bool drives);
+  // The attendant control's, which drives.
+  void driver_acted(Time at) { active_ = at; }
+  void report(const SpmGeneral& packet, Time at);  // of the power module
   // A character of the power module: it lives.
   void spoke() { has_spoken_ = true; }
   // Any packet of the remote that keeps the power on.
@@ -25,6 +29,7 @@ class Supply {
   std::optional<Time> button_accepted() const { return accepted_; }
   bool may_ask() const { return may_ask_; }  // "power down now"
   bool may_sleep(Time now) const;            // nobody has driven or pressed for long enough (SB-4.2)
+  bool may_give_up_lock(Time now) const { return locked_ && now - *locked_ >= limits::lock_gives_up; }
   bool is_confirmed() const { return confirmed_.has_value(); }
 
   // With this sample the latch was let go; and there was a reason.
@@ -50,6 +55,7 @@ class Supply {
   Time still_since_{};
   Time pressed_{};
   Button button_ = Button::unseen;
+  std::optional<Time> locked_;  // it has told so since
   std::optional<Time> accepted_;
   std::optional<Time> asked_;      // the power module said "power down now"
   std::optional<Time> confirmed_;  // the second time in a row
@@ -59,6 +65,7 @@ class Supply {
   bool is_latched_ = false;
   bool was_ever_latched_ = false;
   bool has_let_go_ = false;
+  bool has_reported_ = false;
   bool has_spoken_ = false;  // since power or reset
 };
 

@@ -71,7 +71,7 @@ void Wheels::begin_anew(Time now) {
   *this = Wheels();
   left_.begin_anew();
   right_.begin_anew();
-  at_ = before_at_ = zero_from_ = still_from_ = braked_until_ = now;
+  at_ = before_at_ = zero_from_ = zero_at_ = still_from_ = braked_until_ = now;
 }
 
 void Wheels::take(const Pins& pins, double left_current, double right_current, Time now) {
@@ -85,6 +85,8 @@ void Wheels::take(const Pins& pins, double left_current, double right_current, T
   right_.take(signed_duty(pins.right_duty, pins.right_forward), right_current, at_ - before_at_, is_cut);
   if (!is_zero()) {
     zero_from_ = now + sample_period;
+  } else {
+    zero_at_ = now;
   }
   if (!is_still()) {
     still_from_ = now + sample_period;

@@ -43,6 +43,7 @@ class Wheels {
   // Since the first sample that showed it; negative if none does.
   Time still_for() const { return at_ - still_from_; }
   Time zero_for() const { return at_ - zero_from_; }
+  Time busy_for() const { return at_ - zero_at_; }  // a duty, since the last sample that showed none
   // Both, since the last sample that showed one engaged.
   Time released_for() const { return at_ - braked_until_; }
   // Two samples in a row: longer than the order of writing pins explains.
@@ -79,6 +80,7 @@ class Wheels {
   Time at_{};
   Time before_at_{};
   Time zero_from_{};
+  Time zero_at_{};
   Time still_from_{};
   Time braked_until_{};
   int odds_ = 0;  // samples in a row
