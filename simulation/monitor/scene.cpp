@@ -278,6 +278,7 @@ void Scene::hear_attendant(const SacuGeneral& packet) {
 }
 
 void Scene::hear_attendants_power_up(const Packet& packet) {
+  report = std::nullopt;
   attendant.power_up(packet);
   if (attendant.has_restarted_driving()) {
     leave.attendant_restarted(packet.end);
@@ -298,6 +299,7 @@ void Scene::obey_change_of_driver(Time at) {
 }
 
 void Scene::read_own_power_up(const Packet& packet) {
+  report = std::nullopt;  // what was established holds no longer
   own_capabilities = Capabilities::of_power_module(packet);
   judge_lighting(packet.end);
   attendant.forget(packet.end);

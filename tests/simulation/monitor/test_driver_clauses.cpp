@@ -481,3 +481,57 @@ TEST_CASE("H-07.2: slowdown without a fault, or with the driver's, is no LIMP", 
   CHECK(breaches(spm::user_slow) == "");
   CHECK(is_caught(breaches(spm::limping_still), "H-07.2"));
 }
+
+TEST_CASE("H-17.3: with new capabilities an established mode may be refused", "[monitor][H-17]") {
+  Stage stage = attended();
+  stage.trio(sr::neutral, spm::attendant, sacu::mode_1_at_rest);
+  stage.trio(sr::neutral, spm::attendant_mode_1, sacu::mode_1_at_rest);
+  Stage again = attended();
+  again.trio(sr::neutral, spm::attendant, sacu::mode_1_at_rest);
+  again.trio(sr::neutral, spm::attendant_mode_1, sacu::power_up);
+  for (Stage* one : {&stage, &again}) {
+    one->trio(sr::neutral, spm::attendant_mode_1_invalid, sacu::mode_1_at_rest);
+  }
+  CHECK(stage.breaks("H-17.3"));
+  CHECK_FALSE(again.breaks("H-17.3"));
+}
+
+// A packet that another character meets may have been heard, or not.
+TEST_CASE("in doubt about the switch the power module may say either", "[monitor][negotiation]") {
+  const auto after_doubt = [](const char* general) {
+    Stage stage = accompanied_at_100();
+    stage.turn(sr::forward, spm::driving);
+    stage.now -= 150us;  // it meets the power module's TF
+    stage.says(Sender::sacu, general);
+    stage.run(11500us);
+    return stage;
+  };
+  Stage kept = after_doubt(sacu::forward);
+  kept.trios(3, sr::forward, spm::driving, sacu::standing_by);
+  CHECK(kept.breaches() == "");
+  Stage taken = after_doubt(sacu::forward);
+  taken.drive(0, 0, 2);
+  taken.trios(3, sr::forward, spm::attendant_driving, sacu::forward);
+  CHECK(taken.breaches() == "");
+  taken.jump(0, 0);
+  taken.brakes(false);
+  taken.trios(2, sr::forward, spm::driving, sacu::forward);
+  CHECK(taken.breaks("H-17.5"));
+}
+
+TEST_CASE("H-17.6: a garbled power-up packet permits an acknowledgement and demands none", "[monitor][H-17]") {
+  const auto after_doubt = [] {
+    Stage stage;
+    stage.wake_up();
+    stage.turn(sr::neutral, spm::ready);
+    stage.now -= 150us;
+    stage.says(Sender::sacu, sacu::power_up);
+    stage.run(11500us);
+    return stage;
+  };
+  for (const char* answer : {spm::ready, spm::acknowledging}) {
+    Stage stage = after_doubt();
+    stage.cycle(sr::neutral, answer);
+    CHECK(stage.breaches() == "");
+  }
+}
