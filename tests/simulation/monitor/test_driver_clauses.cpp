@@ -535,3 +535,52 @@ TEST_CASE("H-17.6: a garbled power-up packet permits an acknowledgement and dema
     CHECK(stage.breaches() == "");
   }
 }
+
+TEST_CASE("H-07.1, H-19.3: stick and pot of an attendant control that stands by do not count",
+          "[monitor][H-07][H-19]") {
+  const auto breaches = [](const char* general) {
+    Stage stage;
+    stage.wake_up();
+    stage.meet_attendant(sacu::power_up_all);
+    stage.trios(2, sr::neutral, spm::ready, general);
+    stage.trio(sr::forward, spm::ready, general);
+    stage.brakes(true);
+    stage.trios(6, sr::forward, spm::driving, general);
+    return stage.breaches();
+  };
+  CHECK(breaches("58 C0 C0 FF C0 C0 80 A8 0F") == "");  // joystick error
+  CHECK(breaches("58 C0 C0 FF C0 A0 80 C8 0F") == "");  // pot error
+  CHECK(breaches(sacu::standing_by_forward) == "");
+}
+
+TEST_CASE("H-02.4: a hand-over ends with the stand, and then five generals are enough", "[monitor][H-02]") {
+  const auto breaches = [](int neutrals) {
+    Stage stage = accompanied_at_100();
+    stage.later(8ms, [&] { stage.drive(0, 0); });
+    stage.trio(sr::forward, spm::driving, sacu::neutral);
+    stage.trios(6, sr::forward, "61 92 C0 C0 E0 80 80 80 AC 0F", sacu::neutral);
+    stage.brakes(false);
+    stage.run(20ms);
+    stage.trios(neutrals, sr::forward, spm::attendant_inhibited, sacu::neutral);
+    stage.trio(sr::forward, spm::attendant_awaiting, sacu::forward);
+    stage.brakes(true);
+    stage.run(1ms);
+    return stage.breaches();
+  };
+  CHECK(is_caught(breaches(4), "H-12.1"));
+  CHECK(breaches(5) == "");
+}
+
+TEST_CASE("H-18.2: the remote moves no actuator while the attendant control drives", "[monitor][H-18]") {
+  const auto breaches = [](const char* remote, const char* attendant) {
+    Stage stage = attended();
+    stage.trio(sr::neutral, spm::attendant, sacu::mode_1_at_rest);
+    stage.trios(5, sr::neutral, spm::attendant_mode_1, sacu::mode_1_at_rest);
+    stage.trio(remote, spm::attendant_mode_1, attendant);
+    stage.pins.actuator1_extend = true;
+    stage.run(1ms);
+    return stage.breaches();
+  };
+  CHECK(breaches(sr::neutral, sacu::mode_1) == "");
+  CHECK(is_caught(breaches(sr::mode_1, sacu::mode_1_at_rest), "H-18.2"));
+}
