@@ -91,4 +91,16 @@ void Attendant::report(const SpmGeneral& packet, Time began) {
   }
 }
 
+const char* Attendant::tell() const {
+  switch (driver_) {
+    case Driver::remote:
+      return "the remote drives";
+    case Driver::attendant:
+      return "the attendant control drives";
+    case Driver::unknown:
+      break;
+  }
+  return "who drives is in doubt";
+}
+
 }  // namespace simulation::monitor

@@ -36,6 +36,7 @@ class Attendant {
   const std::optional<SacuGeneral>& last() const { return last_; }  // that was heeded
   bool has_speed_control() const { return (capabilities_ & 1) != 0; }
   int capabilities() const { return capabilities_; }
+  const char* tell() const;
 
  private:
   enum class Phase : std::uint8_t { stranger, introduced, acknowledged, accepted };

@@ -116,7 +116,7 @@ void Leave::general(const SrGeneral& packet, Driver driver) {
   if (driver == Driver::remote) {
     request(packet);
   }
-  prove(packet);
+  prove();
   if (driver == Driver::remote) {
     count_neutral(packet);
   }
@@ -135,7 +135,7 @@ void Leave::attendant_general(const SacuGeneral& packet, Driver driver) {
   if (drives) {
     request(packet);
   }
-  prove_attendant(packet);
+  prove_attendant();
   if (drives) {
     count_neutral(packet);
   }
@@ -197,7 +197,7 @@ void Leave::request(const Joystick& packet) {
 }
 
 // Links and sticks prove themselves by several generals in a row.
-void Leave::prove(const SrGeneral&) {
+void Leave::prove() {
   ++good_run_;
   if (has_emergency() && good_run_ >= limits::proof && is_stop_over_) {  // SB-2.16
     allow(Reason::silence);
@@ -207,7 +207,7 @@ void Leave::prove(const SrGeneral&) {
   }
 }
 
-void Leave::prove_attendant(const SacuGeneral&) {
+void Leave::prove_attendant() {
   ++attendant_run_;
   const bool has_stopped = since(Reason::attendant_silence) || since(Reason::attendant_restart);
   if (has_stopped && attendant_run_ >= limits::proof && is_stop_over_) {

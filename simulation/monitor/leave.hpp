@@ -91,8 +91,8 @@ class Leave {
   void put(Reason reason, bool is_set, const Joystick& packet);
   void put_told(Reason reason, bool is_set, Time at);
   bool has_emergency() const;
-  void prove(const SrGeneral& packet);
-  void prove_attendant(const SacuGeneral& packet);
+  void prove();
+  void prove_attendant();
   void request(const Joystick& packet);
   void count_neutral(const Joystick& packet);
   std::optional<Time> earliest_without(std::initializer_list<Reason> left_out) const;

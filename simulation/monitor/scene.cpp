@@ -368,8 +368,8 @@ bool Scene::is_denied() const {
 }
 
 std::string Scene::tell() const {
-  return fmt::format("{}; {}; {}; {}; {}", wheels.tell(), stick.tell(now), leave.tell(now), supply.tell(now),
-                     speech.tell());
+  return fmt::format("{}; {}; {}; {}; {}; {}", wheels.tell(), attendant.tell(), stick.tell(now), leave.tell(now),
+                     supply.tell(now), speech.tell());
 }
 
 }  // namespace simulation::monitor
