@@ -19,7 +19,6 @@ constexpr double shorted_coil_current = 3;
 constexpr double electronics_current = 0.15;  // A
 constexpr double indicator_current = 1.75;
 constexpr double headlight_current = 2.5;
-constexpr double moving_actuator_current = 4;
 constexpr double kerb = 1e6;  // Ns, more than any chair has
 constexpr int most_friction_rounds = 30;
 constexpr double no_impulse = 1e-10;  // Ns
@@ -41,7 +40,7 @@ struct Friction {
 
 }  // namespace
 
-Chair::Chair() {
+Chair::Chair() : lamps_{Lamp(indicator_current), Lamp(indicator_current), Lamp(headlight_current)} {
   state_.battery_volts = battery_.open_circuit();
 }
 
@@ -50,6 +49,7 @@ void Chair::step(Time dt) {
   right_brake_.step(lifts(right_damages_, pins_.right_brake_release), dt);
   state_.left_brake_engaged = left_brake_.is_engaged();
   state_.right_brake_engaged = right_brake_.is_engaged();
+  step_loads(dt);
   feed_motors(dt);
   move(seconds(dt));
 }
@@ -147,15 +147,30 @@ double Chair::coil_current() const {
          coil_current(right_damages_, pins_.right_brake_release);
 }
 
+void Chair::step_loads(Time dt) {
+  actuator1_.step(pins_.actuator1_extend, pins_.actuator1_retract, dt);
+  actuator2_.step(pins_.actuator2_extend, pins_.actuator2_retract, dt);
+  state_.actuator1_position = actuator1_.position();
+  state_.actuator2_position = actuator2_.position();
+  state_.left_indicator_current = lamp_current(LampPlace::left_indicator);
+  state_.right_indicator_current = lamp_current(LampPlace::right_indicator);
+  state_.headlight_current = lamp_current(LampPlace::headlight);
+}
+
 double Chair::actuator_current() const {
-  const bool is_first_moving = pins_.actuator1_extend != pins_.actuator1_retract;
-  const bool is_second_moving = pins_.actuator2_extend != pins_.actuator2_retract;
-  return moving_actuator_current * (is_first_moving + is_second_moving);
+  return actuator1_.current(pins_.actuator1_extend, pins_.actuator1_retract) +
+         actuator2_.current(pins_.actuator2_extend, pins_.actuator2_retract);
+}
+
+double Chair::lamp_current(LampPlace place) const {
+  const std::array<bool, 3> is_on{pins_.left_indicator, pins_.right_indicator, pins_.headlight};
+  const auto number = static_cast<std::size_t>(place);
+  return lamps_[number].current(is_on[number]);
 }
 
 double Chair::load_current() const {
-  return electronics_current + coil_current() + actuator_current() +
-         indicator_current * (pins_.left_indicator + pins_.right_indicator) + headlight_current * pins_.headlight;
+  return electronics_current + coil_current() + actuator_current() + lamp_current(LampPlace::left_indicator) +
+         lamp_current(LampPlace::right_indicator) + lamp_current(LampPlace::headlight);
 }
 
 std::array<double, 8> Chair::analog_volts() const {
@@ -163,9 +178,9 @@ std::array<double, 8> Chair::analog_volts() const {
                               2.5 + 0.02 * state_.left_current,
                               2.5 + 0.02 * state_.right_current,
                               coil_current(),
-                              indicator_current * pins_.left_indicator,
-                              indicator_current * pins_.right_indicator,
-                              headlight_current * pins_.headlight,
+                              lamp_current(LampPlace::left_indicator),
+                              lamp_current(LampPlace::right_indicator),
+                              lamp_current(LampPlace::headlight),
                               0.2 * actuator_current()};
   for (double& volt : volts) {
     volt = std::clamp(volt, 0.0, 5.0);

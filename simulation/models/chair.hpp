@@ -7,7 +7,9 @@
 #include <cstdint>
 
 #include "simulation/board/spm_board.hpp"
+#include "simulation/models/actuator.hpp"
 #include "simulation/models/battery.hpp"
+#include "simulation/models/lamp.hpp"
 #include "simulation/models/motor.hpp"
 #include "simulation/models/park_brake.hpp"
 #include "simulation/time.hpp"
@@ -29,6 +31,11 @@ struct ChairState {
   double battery_current = 0;  // A, out of the battery
   bool left_brake_engaged = true;
   bool right_brake_engaged = true;
+  double actuator1_position = 0.5;  // 0 = retracted, 1 = extended
+  double actuator2_position = 0.5;
+  double left_indicator_current = 0;  // A
+  double right_indicator_current = 0;
+  double headlight_current = 0;
 };
 
 enum class Side : std::uint8_t { left, right };
@@ -57,6 +64,8 @@ class Chair {
   void set_battery_voltage(double volts) { battery_.force_open_circuit(volts); }
   void set_battery(double volts) { set_battery_voltage(volts); }
   void set_damage(Damage damage, Side side, bool is_there) { damage_of(side)[index_of(damage)] = is_there; }
+  Lamp& lamp(LampPlace place) { return lamps_[static_cast<std::size_t>(place)]; }
+  Actuator& actuator(int number) { return number == 2 ? actuator2_ : actuator1_; }  // 1 or 2
   void set_position(double metres) { state_.position = metres; }
 
  private:
@@ -77,7 +86,9 @@ class Chair {
   Circuit circuit(const Damages& damages, bool is_forward, std::uint16_t duty) const;
   double coil_current() const;
   double actuator_current() const;
+  double lamp_current(LampPlace place) const;
   double load_current() const;
+  void step_loads(Time dt);
   void feed_motors(Time dt);
   void move(double dt);
 
@@ -89,6 +100,9 @@ class Chair {
   Motor motor_;  // both are alike
   ParkBrake left_brake_;
   ParkBrake right_brake_;
+  std::array<Lamp, 3> lamps_;
+  Actuator actuator1_;
+  Actuator actuator2_;
   double slope_ = 0;
   double driver_mass_ = 100;
 };
