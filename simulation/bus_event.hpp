@@ -2,6 +2,7 @@
 // waveforms are made from.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -9,7 +10,9 @@
 
 namespace simulation {
 
-enum class Sender : std::uint8_t { sr, spm, sacu, noise };
+// The tester is what stands in a factory: it speaks to remote and attendant control (SB-07.1).
+enum class Sender : std::uint8_t { sr, spm, sacu, noise, tester };
+constexpr std::size_t sender_count = 5;
 
 struct BusByte {
   Time start{};  // falling edge of the start bit

@@ -50,8 +50,8 @@ class WireFaults {
   std::optional<Disturbance> take(const Character& start);
 
   std::vector<Disturbance> waiting_;
-  std::array<Packet, 4> packets_;  // by sender
-  std::array<Turn, 4> turns_;
+  std::array<Packet, sender_count> packets_;  // by sender
+  std::array<Turn, sender_count> turns_;
 };
 
 }  // namespace simulation

@@ -53,6 +53,7 @@ void BusMeter::on_byte(const BusByte& byte) {
         extend(cycle_.sacu, byte);
         break;
       case Sender::noise:
+      case Sender::tester:
         break;
     }
   }

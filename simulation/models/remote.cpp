@@ -1,7 +1,6 @@
 #include "simulation/models/remote.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace simulation {
 namespace {
@@ -13,6 +12,8 @@ constexpr int type_spm_hhp_data = 3;
 constexpr int type_power_up = 4;
 constexpr int type_spm_power_up = 5;
 constexpr int type_calibration = 6;
+constexpr int type_factory_test = 7;
+constexpr double nominal_character = 11;  // bit times
 constexpr std::size_t longest_data = 8;
 constexpr Time communication_limit = 1s;          // SB-3.5
 constexpr Time silence_after_power_down = 500ms;  // SB-4.4
@@ -58,33 +59,42 @@ void Remote::start(Time now) {
   if (is_on()) {
     return;
   }
-  phase_ = Phase::power_up;
-  next_turn_ = now + timing.first_turn;
   wake_until_ = now + timing.wake;
-  turn_from_ = turn_until_ = now;
-  awaits_answer_ = has_general_ = is_confirming_ = has_communication_fault_ = false;
-  spm_capabilities_ = 0;
-  reader_.break_off();
-  calibration_.begin_anew();
-  report_ = {};
   is_wake_shown_ = true;
+  begin_anew(now);
   if (wake_) {
     wake_(true, now);
   }
 }
 
+// Pressed, or its chip was reset.
+void Remote::begin_anew(Time now) {
+  phase_ = Phase::power_up;
+  next_turn_ = now + timing.first_turn;
+  turn_from_ = turn_until_ = says_until_ = now;
+  awaits_answer_ = has_general_ = is_confirming_ = has_communication_fault_ = false;
+  spm_capabilities_ = 0;
+  reader_.break_off();
+  calibration_.begin_anew();
+  factory_test_.begin_anew();
+  report_ = {};
+}
+
 Time Remote::next_time() const {
-  const Time turn = is_on() ? next_turn_ : Time::max();
+  const Time turn = is_on() ? std::min(next_turn_, factory_test_.due()) : Time::max();
   return is_wake_shown_ ? std::min(turn, wake_until_) : turn;
 }
 
 void Remote::act(Time now) {
   end_wake_if_due(now);
+  if (is_on() && factory_test_.due() <= now) {
+    answer_factory_test(now);
+  }
   if (!is_on() || now < next_turn_) {
     return;
   }
   next_turn_ += timing.period;
-  const bool is_speaking = now < turn_until_;  // a turn full of gaps: it lets this beat pass
+  const bool is_speaking = now < says_until_;  // a turn full of gaps: it lets this beat pass
   if (is_speaking) {
     return;
   }
@@ -127,17 +137,14 @@ void Remote::send_turn(Time now) {
   allowed_hhp_data_ = controls.hhp_may_send;
   answer_from_.reset();
   turn_from_ = now;
-  const double bits_of_a_byte = 9.0 + timing.stop_bits;
-  double sent = 0;
-  Time gaps{};
-  for (const std::uint8_t byte : turn) {
-    if (transmit_) {
-      transmit_(byte, now + bits(sent) + gaps);
-    }
-    sent += bits_of_a_byte;
-    gaps += timing.gap;
+  turn_until_ = says_until_ = transmit_turn(turn, now, timing, transmit_);
+}
+
+void Remote::answer_factory_test(Time now) {
+  const auto answer = factory_test_.take_answer();
+  if (now >= says_until_) {
+    says_until_ = transmit_turn(answer, now, timing, transmit_);
   }
-  turn_until_ = now + bits(sent) + gaps - timing.gap;
 }
 
 // At most 9 + 10 + 3 bytes and TF (SB-2.2).
@@ -165,10 +172,6 @@ std::vector<std::uint8_t> Remote::make_turn() {
   }
   turn.push_back(end_of_turn);
   return turn;
-}
-
-Time Remote::bits(double count) const {
-  return Time(std::llround(count * timing.bit_us * 1000));
 }
 
 std::vector<std::uint8_t> Remote::power_up_packet() const {
@@ -205,18 +208,21 @@ std::vector<std::uint8_t> Remote::calibration_packet() const {
 }
 
 void Remote::hear(const Reception& reception) {
-  if (!is_on() || reception.at < turn_until_) {
+  if (!is_on() || reception.at < says_until_) {
     return;
   }
   if (!answer_from_) {
-    answer_from_ = reception.at - bits(bits_until_sampled);
+    answer_from_ = reception.at - timing.bits(bits_until_sampled);
   }
   last_heard_ = reception.at;
-  switch (reader_.hear(reception, bits(1))) {
+  const Time ended = reception.at + timing.bits(nominal_character - bits_until_sampled);
+  factory_test_.hear_character(ended);
+  switch (reader_.hear(reception, timing.bits(1))) {
     case PacketReader::Heard::packet:
-      take_packet(reception.at);
+      take_packet(reception.at, ended);
       break;
     case PacketReader::Heard::end_of_turn:
+      factory_test_.hear_end_of_turn(ended);
       take_end_of_turn();
       break;
     case PacketReader::Heard::nothing_yet:
@@ -225,7 +231,7 @@ void Remote::hear(const Reception& reception) {
   statistics_.bad = reader_.bad();
 }
 
-void Remote::take_packet(Time at) {
+void Remote::take_packet(Time at, Time ended) {
   switch (reader_.type()) {
     case type_spm_power_up:
       if (phase_ == Phase::power_up) {
@@ -243,6 +249,11 @@ void Remote::take_packet(Time at) {
       break;
     case type_spm_hhp_data:
       take_hhp_data();
+      break;
+    case type_factory_test:
+      if (factory_test_.take(reader_.data(), ended)) {
+        begin_anew(at);  // SB-07.1: at once, without an answer
+      }
       break;
     default:
       break;

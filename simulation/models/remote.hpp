@@ -1,6 +1,7 @@
 // The Shark Remote (SR): wakes the SPM, sends its power-up packet until answered, then its general every
 // 20 ms, and confirms power-down; carries what its programmer types and what comes back; reports how far a joystick
-// calibration has come. It codes and decodes the wire by itself (packets.hpp), never with the firmware's codec.
+// calibration has come; answers factory tests, whatever else it does or does not say. It codes and decodes the wire by
+// itself (packets.hpp), never with the firmware's codec.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +11,11 @@
 
 #include "simulation/board/spm_board.hpp"
 #include "simulation/models/calibration.hpp"
+#include "simulation/models/factory_test.hpp"
 #include "simulation/models/packets.hpp"
 #include "simulation/models/programmer.hpp"
 #include "simulation/models/spm_report.hpp"
+#include "simulation/models/turn.hpp"
 #include "simulation/time.hpp"
 
 namespace simulation {
@@ -53,10 +56,7 @@ struct RemoteIdentity {
 };
 
 // The remote's own clock and habits.
-struct RemoteTiming {
-  double bit_us = 1e6 / 38400;  // microseconds
-  int stop_bits = 2;
-  Time gap{};  // idle line between the bytes of a turn
+struct RemoteTiming : CharacterTiming {
   Time period = 20ms;
   Time wake = 300ms;       // how long the wake is asserted after a press
   Time first_turn = 20ms;  // from the press to the first power-up packet
@@ -78,15 +78,13 @@ struct RemoteStatistics {
 // The world calls act() when next_time() has come, and hear() for every character on the remote's end of the line.
 class Remote {
  public:
-  // A byte whose start bit begins at `start`, now or later: a whole turn is handed over at once.
-  using Transmit = std::function<void(std::uint8_t value, Time start)>;
   using Wake = std::function<void(bool asserted, Time at)>;
 
   // Both may be set or changed at any time.
   RemoteControls controls;
   RemoteIdentity identity;
   RemoteTiming timing;
-  bool is_silent = false;          // runs, but sends nothing
+  bool is_silent = false;          // runs, but sends nothing by itself; a factory test it answers
   bool is_insistent = false;       // requests lamps and actuators even where one side has none
   bool sends_calibration = false;  // its calibration packet even while calibration is not active
   Programmer programmer;
@@ -99,7 +97,7 @@ class Remote {
   // When act() wants to be called next; Time::max() while off.
   Time next_time() const;
   void act(Time now);
-  // Characters sampled before the end of the remote's own turn are its echo and pass unread.
+  // Characters sampled before the end of what the remote says itself are its echo and pass unread.
   void hear(const Reception& reception);
 
   bool is_on() const { return phase_ != Phase::off; }
@@ -121,12 +119,13 @@ class Remote {
  private:
   enum class Phase { off, power_up, general };
 
-  Time bits(double count) const;
+  void begin_anew(Time now);
   std::vector<std::uint8_t> make_turn();
   void end_wake_if_due(Time now);
+  void answer_factory_test(Time now);
   void judge_last_turn(Time now);
   void send_turn(Time now);
-  void take_packet(Time at);
+  void take_packet(Time at, Time ended);
   void take_general(Time at);
   void take_hhp_data();
   void take_end_of_turn();
@@ -139,11 +138,13 @@ class Remote {
   Time next_turn_{};
   Time turn_from_{};
   Time turn_until_{};
+  Time says_until_{};                // this turn, or an answer to a factory test
   bool awaits_answer_ = false;       // the last turn was a general without an answer yet
   bool has_general_ = false;         // a valid SPM general since the last turn
   bool allowed_hhp_data_ = false;    // the last general did
   std::optional<Time> answer_from_;  // first start bit after the last turn
   PacketReader reader_;
+  FactoryTest factory_test_{FactoryTest::Module::remote};
   Time last_heard_{};
   Calibration calibration_;
   Time spm_heard_{};  // the last valid SPM general, or the first general sent

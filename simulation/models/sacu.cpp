@@ -1,7 +1,6 @@
 #include "simulation/models/sacu.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace simulation {
 namespace {
@@ -13,6 +12,7 @@ constexpr int type_spm_hhp_data = 3;
 constexpr int type_sr_power_up = 4;
 constexpr int type_spm_power_up = 5;
 constexpr int type_calibration = 6;
+constexpr int type_factory_test = 7;
 constexpr int type_general = 8;
 constexpr int type_power_up = 9;
 constexpr int type_spm_settings = 10;
@@ -24,21 +24,30 @@ constexpr double nominal_character = 11;  // bit times
 void Sacu::attach() {
   is_attached_ = true;
   reader_.break_off();
+  begin_anew();
+}
+
+// Plugged in, or its chip was reset.
+void Sacu::begin_anew() {
   speaker_ = Speaker::nobody;
   turn_due_ = silence_due_ = never;
   has_introduced_itself_ = is_acknowledged_ = false;
   report_ = {};
   calibration_.begin_anew();
+  factory_test_.begin_anew();
 }
 
 Time Sacu::next_time() const {
-  return is_attached_ ? std::min(turn_due_, silence_due_) : never;
+  return is_attached_ ? std::min({turn_due_, silence_due_, factory_test_.due()}) : never;
 }
 
 void Sacu::act(Time now) {
   if (silence_due_ <= now) {
     silence_due_ = never;
     take_end_of_turn(now - timing.pause);
+  }
+  if (factory_test_.due() <= now) {
+    answer_factory_test(now);
   }
   if (turn_due_ <= now) {
     turn_due_ = never;
@@ -50,17 +59,14 @@ void Sacu::send_turn(Time now) {
   if (is_silent || now < turn_until_) {
     return;
   }
-  const double bits_of_a_byte = 9.0 + timing.stop_bits;
-  double sent = 0;
-  Time gaps{};
-  for (const std::uint8_t byte : make_turn()) {
-    if (transmit_) {
-      transmit_(byte, now + bits(sent) + gaps);
-    }
-    sent += bits_of_a_byte;
-    gaps += timing.gap;
+  turn_until_ = transmit_turn(make_turn(), now, timing, transmit_);
+}
+
+void Sacu::answer_factory_test(Time now) {
+  const auto answer = factory_test_.take_answer();
+  if (now >= turn_until_) {
+    turn_until_ = transmit_turn(answer, now, timing, transmit_);
   }
-  turn_until_ = now + bits(sent) + gaps - timing.gap;
 }
 
 // At most 9 bytes and TF, or 8 + 3 and TF (SB-2.2).
@@ -83,10 +89,6 @@ std::vector<std::uint8_t> Sacu::make_turn() {
   }
   turn.push_back(end_of_turn);
   return turn;
-}
-
-Time Sacu::bits(double count) const {
-  return Time(std::llround(count * timing.bit_us * 1000));
 }
 
 // SB-09.1
@@ -113,13 +115,15 @@ void Sacu::hear(const Reception& reception) {
   if (!is_attached_ || reception.at < turn_until_) {
     return;
   }
-  const Time ended = reception.at + bits(nominal_character - bits_until_sampled);
+  const Time ended = reception.at + timing.bits(nominal_character - bits_until_sampled);
   silence_due_ = ended + longest_silence;
-  switch (reader_.hear(reception, bits(1))) {
+  factory_test_.hear_character(ended);
+  switch (reader_.hear(reception, timing.bits(1))) {
     case PacketReader::Heard::packet:
-      take_packet(reception.at);
+      take_packet(reception.at, ended);
       break;
     case PacketReader::Heard::end_of_turn:
+      factory_test_.hear_end_of_turn(ended);
       take_end_of_turn(ended);
       break;
     case PacketReader::Heard::nothing_yet:
@@ -127,7 +131,7 @@ void Sacu::hear(const Reception& reception) {
   }
 }
 
-void Sacu::take_packet(Time at) {
+void Sacu::take_packet(Time at, Time ended) {
   switch (reader_.type()) {
     case type_sr_general:
     case type_sr_hhp_data:
@@ -151,6 +155,11 @@ void Sacu::take_packet(Time at) {
     case type_spm_hhp_data:
     case type_spm_settings:
       speaker_ = Speaker::power_module;
+      break;
+    case type_factory_test:
+      if (factory_test_.take(reader_.data(), ended)) {
+        begin_anew();  // SB-07.1: at once, without an answer
+      }
       break;
     default:
       break;

@@ -2,7 +2,7 @@
 // once a cycle, for as long as it takes, until a general of the power module acknowledges it; then its general once a
 // cycle. A power-up packet of the power module makes it begin anew: the module has started again and knows nothing of
 // it. (The document says neither how long a SACU repeats its power-up packet nor when it begins again. So it does what
-// an SR does.)
+// an SR does.) A factory test it answers in its own time, whatever else it does or does not say.
 //
 // It codes and decodes the wire by itself (packets.hpp). What its controls say goes on the wire as it is: a joystick
 // error does not put the stick in neutral, a missing capability does not take the pot to zero. A SACU that keeps the
@@ -10,13 +10,14 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "simulation/board/spm_board.hpp"
 #include "simulation/models/calibration.hpp"
+#include "simulation/models/factory_test.hpp"
 #include "simulation/models/packets.hpp"
 #include "simulation/models/spm_report.hpp"
+#include "simulation/models/turn.hpp"
 #include "simulation/time.hpp"
 
 namespace simulation {
@@ -45,10 +46,7 @@ struct SacuIdentity {
   int capabilities = 0x02;  // 2 actuator 2, 1 actuator 1, 0 speed control
 };
 
-struct SacuTiming {
-  double bit_us = 1e6 / 38400;  // microseconds
-  int stop_bits = 2;
-  Time gap{};            // idle line between the bytes of a turn
+struct SacuTiming : CharacterTiming {
   Time pause = 100us;    // from the end of the TF to its own turn
   bool is_rash = false;  // follows the remote's TF instead of the power module's: two speak at once
 };
@@ -56,14 +54,11 @@ struct SacuTiming {
 // The world calls act() when next_time() has come, and hear() for every character at its end of the line.
 class Sacu {
  public:
-  // A byte whose start bit begins at `start`, now or later: a whole turn is handed over at once.
-  using Transmit = std::function<void(std::uint8_t value, Time start)>;
-
   // All may be set or changed at any time.
   SacuControls controls;
   SacuIdentity identity;
   SacuTiming timing;
-  bool is_silent = false;          // hears, but sends nothing
+  bool is_silent = false;          // hears, but sends nothing by itself; a factory test it answers
   bool insists = false;            // sends generals whether acknowledged or not
   bool sends_calibration = false;  // its calibration packet even while calibration is not active
 
@@ -94,15 +89,17 @@ class Sacu {
   static constexpr Time never = Time::max();
   enum class Speaker { nobody, remote, power_module };
 
-  Time bits(double count) const;
   std::vector<std::uint8_t> make_turn();
+  void begin_anew();
   void send_turn(Time now);
-  void take_packet(Time at);
+  void answer_factory_test(Time now);
+  void take_packet(Time at, Time ended);
   void take_end_of_turn(Time ended);
 
   Transmit transmit_;
   bool is_attached_ = false;
   PacketReader reader_;
+  FactoryTest factory_test_{FactoryTest::Module::attendant_control};
   Speaker speaker_ = Speaker::nobody;  // of the latest valid packet of this turn
   Time turn_due_ = never;              // a TF has given it the line
   Time silence_due_ = never;           // or silence will (SB-2.12)

@@ -139,11 +139,11 @@ void Facts::hear_spm(const BusByte& byte) {
 }
 
 void Facts::take(const Packet& packet) {
-  if (packet.kind != Packet::Kind::packet || packet.sender != Sender::spm) {
+  if (packet.kind != Packet::Kind::packet) {
     return;
   }
-  spm_packets_.push_back(packet);
-  if (packet.is(bus::shark::Type::spm_general) && packet.data().size() >= 7) {
+  packets_[static_cast<std::size_t>(packet.sender)].push_back(packet);
+  if (packet.sender == Sender::spm && packet.is(bus::shark::Type::spm_general) && packet.data().size() >= 7) {
     spm_general_ = packet.data();
   }
 }

@@ -1,6 +1,7 @@
 // What an observer of the chair knows at this moment; the conditions of a scenario are asked of this.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -58,7 +59,8 @@ class Facts : public Observer {
   std::optional<Time> spoke_at() const { return spoke_at_; }  // start of the SPM's last byte
   std::optional<Time> sr_turn_began_at() const { return sr_from_; }
   Time last_byte_ended_at() const { return last_byte_ended_at_; }
-  const std::vector<Packet>& spm_packets() const { return spm_packets_; }
+  // Whole packets, oldest first.
+  const std::vector<Packet>& packets_of(Sender sender) const { return packets_[static_cast<std::size_t>(sender)]; }
 
  private:
   void hear_spm(const BusByte& byte);
@@ -69,7 +71,7 @@ class Facts : public Observer {
   Sample sample_;
   Sample before_;
   std::optional<std::vector<std::uint8_t>> spm_general_;
-  std::vector<Packet> spm_packets_;
+  std::array<std::vector<Packet>, sender_count> packets_;
   std::optional<Time> sr_from_;   // start of the SR's turn
   std::optional<Time> sr_until_;  // end of its last byte so far
   std::optional<Time> spoke_at_;

@@ -41,6 +41,8 @@ std::string name_of(Sender sender) {
       return "SPM";
     case Sender::sacu:
       return "SACU";
+    case Sender::tester:
+      return "tester";
     case Sender::noise:
       break;
   }

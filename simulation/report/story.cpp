@@ -44,7 +44,7 @@ std::vector<Turning> make_turnings() {
       {false, reported(general::sacu_mode_invalid), "it refuses the attendant's operating mode",
        "it accepts the attendant's operating mode"},
       {false, reported(general::power_down_now), "it asks the remote to power down", nullptr},
-      {false, [](const Facts& f, const Sample&) { return !f.spm_packets().empty(); },
+      {false, [](const Facts& f, const Sample&) { return !f.packets_of(Sender::spm).empty(); },
        "the power module says its first packet", nullptr},
   };
 }

@@ -38,8 +38,11 @@ struct Gauge {
   std::function<std::optional<double>(const Facts&, const Anchor&)> read;
 };
 
-// The packet the SPM has sent since the step began: a name, or bytes.
-struct Utterance {};
+// A packet that somebody has sent since the step began: a name, or bytes.
+struct Utterance {
+  Sender sender;
+  std::vector<std::string> names;
+};
 
 // Characters that a person reads somewhere; the condition asks whether they hold a text.
 struct Screen {

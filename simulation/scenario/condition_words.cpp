@@ -76,6 +76,45 @@ bool is_an_actuator_on(const Facts& f) {
          f.pins().actuator2_retract;
 }
 
+// Both at once is what must never be.
+Choice direction_choice(bool Pins::*extend, bool Pins::*retract) {
+  const auto are = [=](bool extends, bool retracts) -> Test {
+    return [=](const Facts& f, const Anchor&) { return f.pins().*extend == extends && f.pins().*retract == retracts; };
+  };
+  return {{{"extending", are(true, false)},
+           {"retracting", are(false, true)},
+           {"off", are(false, false)},
+           {"both ways", are(true, true)}}};
+}
+
+Choice pin_choice(bool Pins::*pin) {
+  return either("on", "off", [pin](const Facts& f, const Anchor&) { return f.pins().*pin; });
+}
+
+Gauge chair_gauge(Measure measure, double ChairState::*value) {
+  return {measure, [value](const Facts& f, const Anchor&) { return std::optional(f.chair().*value); }};
+}
+
+void add_loads(std::vector<ConditionWord>& words) {
+  words.push_back(
+      {"actuator 1", "extending", "its two pins", direction_choice(&Pins::actuator1_extend, &Pins::actuator1_retract)});
+  words.push_back({"actuator 2", "retracting", "its two pins",
+                   direction_choice(&Pins::actuator2_extend, &Pins::actuator2_retract)});
+  words.push_back({"actuator 1 position", "> 60%", "where it is in its travel: 0% retracted, 100% extended",
+                   chair_gauge(Measure::share, &ChairState::actuator1_position)});
+  words.push_back({"actuator 2 position", "50%", "where it is in its travel: 0% retracted, 100% extended",
+                   chair_gauge(Measure::share, &ChairState::actuator2_position)});
+  words.push_back({"left indicator pin", "on", "the output of that lamp", pin_choice(&Pins::left_indicator)});
+  words.push_back({"right indicator pin", "on", "the output of that lamp", pin_choice(&Pins::right_indicator)});
+  words.push_back({"headlight pin", "off", "the output of that lamp", pin_choice(&Pins::headlight)});
+  words.push_back({"left indicator current", "> 1A", "through that lamp",
+                   chair_gauge(Measure::current, &ChairState::left_indicator_current)});
+  words.push_back({"right indicator current", "> 1A", "through that lamp",
+                   chair_gauge(Measure::current, &ChairState::right_indicator_current)});
+  words.push_back(
+      {"headlight current", "0A", "through that lamp", chair_gauge(Measure::current, &ChairState::headlight_current)});
+}
+
 void add_pins(std::vector<ConditionWord>& words) {
   words.push_back({"power latch", "held", "the pin that keeps the supply on",
                    either("held", "released", when([](const Facts& f) { return f.pins().power_latch; }))});
@@ -103,7 +142,13 @@ void add_talk(std::vector<ConditionWord>& words) {
                    Gauge{Measure::time, answer_delay}});
   words.push_back({"SPM sends", "settings",
                    "a packet it has sent since the step began: general, power-up, settings, or bytes as \"05 83 F7\"",
-                   Utterance{}});
+                   Utterance{Sender::spm, {"general", "power-up", "settings"}}});
+  words.push_back({"SR sends", "\"27 80 80 80 D8\"",
+                   "a packet the remote has sent since the step began: general, power-up, or bytes",
+                   Utterance{Sender::sr, {"general", "power-up"}}});
+  words.push_back({"SACU sends", "general",
+                   "a packet the attendant control has sent since the step began: general, power-up, or bytes",
+                   Utterance{Sender::sacu, {"general", "power-up"}}});
   words.push_back({"communications fault", "yes",
                    "the remote shows one: it has not understood a general of the power module for a second",
                    yes_or_no(when([](const Facts& f) { return f.shows_communication_fault(); }))});
@@ -192,6 +237,7 @@ std::vector<ConditionWord> all_words() {
   std::vector<ConditionWord> words;
   add_motion(words);
   add_pins(words);
+  add_loads(words);
   add_talk(words);
   add_memory(words);
   for (const report::FieldRow& field : report::spm_general().fields) {

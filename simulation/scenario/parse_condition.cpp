@@ -75,22 +75,21 @@ std::optional<Condition> parse_gauge(const Gauge& gauge, const YAML::Node& value
   return condition;
 }
 
-std::string seen_since(const Facts& facts, const Anchor& since) {
-  const auto& packets = facts.spm_packets();
+std::string seen_since(Sender sender, const Facts& facts, const Anchor& since) {
+  const auto& packets = facts.packets_of(sender);
   if (packets.empty() || packets.back().start < since.at) {
     return "nothing";
   }
   return fmt::format("{} last", report::hex(packets.back().bytes));
 }
 
-std::optional<Condition> parse_utterance(const YAML::Node& value, Problems& problems) {
+std::optional<Condition> parse_utterance(const Utterance& utterance, const YAML::Node& value, Problems& problems) {
   const auto text = read_text(value, problems);
   if (!text) {
     return std::nullopt;
   }
-  const std::vector<std::string> names{"general", "power-up", "settings"};
   std::vector<std::uint8_t> bytes;
-  if (std::find(names.begin(), names.end(), *text) == names.end()) {
+  if (std::find(utterance.names.begin(), utterance.names.end(), *text) == utterance.names.end()) {
     const auto read = read_bytes(value, problems);
     if (!read) {
       return std::nullopt;
@@ -98,8 +97,8 @@ std::optional<Condition> parse_utterance(const YAML::Node& value, Problems& prob
     bytes = *read;
   }
   Condition condition;
-  condition.holds = [bytes, name = *text](const Facts& facts, const Anchor& since) {
-    const auto& packets = facts.spm_packets();
+  condition.holds = [bytes, name = *text, sender = utterance.sender](const Facts& facts, const Anchor& since) {
+    const auto& packets = facts.packets_of(sender);
     for (auto packet = packets.rbegin(); packet != packets.rend() && packet->start >= since.at; ++packet) {
       if (bytes.empty() ? report::decode(*packet).name == name : packet->bytes == bytes) {
         return true;
@@ -107,7 +106,9 @@ std::optional<Condition> parse_utterance(const YAML::Node& value, Problems& prob
     }
     return false;
   };
-  condition.seen = seen_since;
+  condition.seen = [sender = utterance.sender](const Facts& facts, const Anchor& since) {
+    return seen_since(sender, facts, since);
+  };
   return condition;
 }
 
@@ -131,7 +132,7 @@ struct KindParser {
 
   auto operator()(const Choice& choice) const { return parse_choice(choice, value, problems); }
   auto operator()(const Gauge& gauge) const { return parse_gauge(gauge, value, problems); }
-  auto operator()(const Utterance&) const { return parse_utterance(value, problems); }
+  auto operator()(const Utterance& utterance) const { return parse_utterance(utterance, value, problems); }
   auto operator()(const Screen& screen) const { return parse_screen(screen, value, problems); }
 };
 
