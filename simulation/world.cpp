@@ -94,7 +94,7 @@ struct World::Parts {
     if (is_held) {
       supplied_until = now + supply_hold;
     }
-    const bool is_supplied = now < supplied_until;
+    const bool is_supplied = is_module_fitted && now < supplied_until;
     if (is_supplied != board->is_powered()) {
       board->power(is_supplied, now);
       tell([&](Observer& observer) { observer.on_power(is_supplied, now); });
@@ -137,6 +137,7 @@ struct World::Parts {
   Time now{};
   Time next_tick = tick;
   Time supplied_until{};
+  bool is_module_fitted = true;
 };
 
 World::World(std::unique_ptr<SpmBoard> board, std::uint64_t seed)
@@ -186,6 +187,20 @@ void World::attach_sacu() {
 void World::detach_sacu() {
   sacu().detach();
   parts_->wire.detach(parts_->sacu_node);
+}
+
+void World::ask_for_slow(bool is_asked) {
+  parts_->surroundings.dci_slowdown = is_asked;
+  parts_->surround_board();
+}
+
+void World::fit_lighting(bool is_fitted) {
+  parts_->surroundings.lighting_fitted = is_fitted;
+  parts_->surround_board();
+}
+
+void World::fit_power_module(bool is_fitted) {
+  parts_->is_module_fitted = is_fitted;
 }
 
 Chair& World::chair() {

@@ -57,6 +57,12 @@ class World {
   void attach_sacu();
   void detach_sacu();
 
+  // The power module's input from seat or lift.
+  void ask_for_slow(bool is_asked);
+  // Before anything runs: the strap of the board, and whether there is a power module at all.
+  void fit_lighting(bool is_fitted);
+  void fit_power_module(bool is_fitted);
+
   bool spm_powered() const;
   const Sample& latest() const;
 

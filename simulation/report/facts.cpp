@@ -38,6 +38,7 @@ Facts::Facts(World& world)
     : world_(world), listener_([this](const Packet& packet) { take(packet); }), sample_(), before_() {}
 
 void Facts::on_byte(const BusByte& byte) {
+  last_byte_of_[static_cast<std::size_t>(byte.sender)] = byte.start;
   last_byte_ended_at_ = std::max(last_byte_ended_at_, byte.end);
   if (byte.sender == Sender::spm) {
     hear_spm(byte);

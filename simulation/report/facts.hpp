@@ -57,6 +57,7 @@ class Facts : public Observer {
   std::optional<Time> answer_delay() const { return answer_delay_; }
   std::optional<Time> answer_began_at() const { return answer_began_at_; }
   std::optional<Time> spoke_at() const { return spoke_at_; }  // start of the SPM's last byte
+  std::optional<Time> last_byte_of(Sender sender) const { return last_byte_of_[static_cast<std::size_t>(sender)]; }
   std::optional<Time> sr_turn_began_at() const { return sr_from_; }
   Time last_byte_ended_at() const { return last_byte_ended_at_; }
   // Whole packets, oldest first.
@@ -72,8 +73,9 @@ class Facts : public Observer {
   Sample before_;
   std::optional<std::vector<std::uint8_t>> spm_general_;
   std::array<std::vector<Packet>, sender_count> packets_;
-  std::optional<Time> sr_from_;   // start of the SR's turn
-  std::optional<Time> sr_until_;  // end of its last byte so far
+  std::array<std::optional<Time>, sender_count> last_byte_of_;  // its start
+  std::optional<Time> sr_from_;                                 // start of the SR's turn
+  std::optional<Time> sr_until_;                                // end of its last byte so far
   std::optional<Time> spoke_at_;
   std::optional<Time> answer_delay_;
   std::optional<Time> answer_began_at_;

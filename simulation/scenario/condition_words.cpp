@@ -132,6 +132,12 @@ void add_pins(std::vector<ConditionWord>& words) {
                          }}});
 }
 
+Choice silence_of(Sender sender) {
+  return yes_or_no([sender](const Facts& f, const Anchor& since) {
+    return !f.last_byte_of(sender) || *f.last_byte_of(sender) < since.at;
+  });
+}
+
 void add_talk(std::vector<ConditionWord>& words) {
   words.push_back({"answered", "yes", "the remote's last complete turn got an answer",
                    yes_or_no(when([](const Facts& f) { return f.was_answered(); }))});
@@ -149,6 +155,9 @@ void add_talk(std::vector<ConditionWord>& words) {
   words.push_back({"SACU sends", "general",
                    "a packet the attendant control has sent since the step began: general, power-up, or bytes",
                    Utterance{Sender::sacu, {"general", "power-up"}}});
+  words.push_back({"SR silent", "yes", "the remote has sent nothing since the step began", silence_of(Sender::sr)});
+  words.push_back(
+      {"SACU silent", "yes", "the attendant control has sent nothing since the step began", silence_of(Sender::sacu)});
   words.push_back({"communications fault", "yes",
                    "the remote shows one: it has not understood a general of the power module for a second",
                    yes_or_no(when([](const Facts& f) { return f.shows_communication_fault(); }))});

@@ -1,8 +1,7 @@
-// `fault:`, what goes wrong on the wire and in the chair.
+// `fault:`, what goes wrong on the wire and in the chip.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "bus/shark/frame.hpp"
 #include "simulation/scenario/spelling.hpp"
@@ -152,31 +151,6 @@ std::optional<Action> wake_pulse(const YAML::Node& value, Table&, Problems& prob
   return time ? std::optional<Action>(WakePulse{*time}) : std::nullopt;
 }
 
-struct Part {
-  const char* name;
-  Damage damage;
-};
-
-const std::vector<Part>& parts() {
-  static const std::vector<Part> rows{
-      {"open brake coil", Damage::open_coil},   {"shorted brake coil", Damage::shorted_coil},
-      {"stuck bridge", Damage::stuck_bridge},   {"open motor", Damage::open_motor},
-      {"blocked wheel", Damage::blocked_wheel},
-  };
-  return rows;
-}
-
-std::optional<Action> read_side(Damage damage, bool is_broken, const YAML::Node& value, Problems& problems) {
-  const auto side = read_choice(value, {"left", "right"}, problems);
-  return side ? std::optional<Action>(Break{damage, *side == "left" ? Side::left : Side::right, is_broken})
-              : std::nullopt;
-}
-
-template <Damage damage>
-std::optional<Action> break_part(const YAML::Node& value, Table&, Problems& problems) {
-  return read_side(damage, true, value, problems);
-}
-
 constexpr int first_ram_byte = 0x100;  // of the ATmega1284P
 constexpr int last_ram_byte = 0x40FF;
 constexpr int last_checked_byte = 0x94FF;  // of the flash
@@ -208,6 +182,20 @@ std::optional<Action> stick_ram(const YAML::Node& value, Table& fault, Problems&
   return SpoilMemory{upset};
 }
 
+std::optional<Action> parse_known(const Pair& pair, Table& fault, Problems& problems) {
+  for (const FaultWord& row : fault_words()) {
+    if (row.word == pair.key) {
+      return row.parse(pair.value, fault, problems);
+    }
+  }
+  for (const DamageWord& row : damage_words()) {
+    if (row.word == pair.key) {
+      return row.parse(pair.value, true, problems);
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 const std::vector<FaultWord>& fault_words() {
@@ -230,18 +218,6 @@ const std::vector<FaultWord>& fault_words() {
        "a transmitter hangs: zeros without a stop bit, back to back; the step does not wait", jam},
       {"wake pulse", "fault: {wake pulse: {for: 200ms}}",
        "SBH above 12 V, nothing can be heard; the step does not wait", wake_pulse},
-      {"open brake coil", "fault: {open brake coil: left}",
-       "the wire is off: no current, and that park brake stays engaged, until 'restore'",
-       break_part<Damage::open_coil>},
-      {"shorted brake coil", "fault: {shorted brake coil: right}", "it draws 3 A and lifts nothing, until 'restore'",
-       break_part<Damage::shorted_coil>},
-      {"stuck bridge", "fault: {stuck bridge: right}",
-       "that motor has the full supply, forward, while the motor relay is closed, until 'restore'",
-       break_part<Damage::stuck_bridge>},
-      {"open motor", "fault: {open motor: left}", "the wire is off: no current, until 'restore'",
-       break_part<Damage::open_motor>},
-      {"blocked wheel", "fault: {blocked wheel: left}",
-       "that wheel stands against a kerb: it cannot turn forward, until 'restore'", break_part<Damage::blocked_wheel>},
       {"flash bit", "fault: {flash bit: 38000, bit: 3}",
        "one bit of the power module's program flips, in the chip; the same again flips it back", flip_flash},
       {"stuck RAM bit", "fault: {stuck RAM bit: 9000, bit: 3, level: high}",
@@ -255,6 +231,9 @@ std::optional<Action> parse_fault(const YAML::Node& node, Problems& problems) {
   for (const FaultWord& row : fault_words()) {
     known.push_back(row.word);
   }
+  for (const DamageWord& row : damage_words()) {
+    known.push_back(row.word);
+  }
   if (node.IsScalar()) {
     if (node.Scalar() == "cut cable") {
       return CutCable{};
@@ -266,35 +245,15 @@ std::optional<Action> parse_fault(const YAML::Node& node, Problems& problems) {
   if (pairs.empty()) {
     return std::nullopt;
   }
-  const auto row = std::find_if(fault_words().begin(), fault_words().end(),
-                                [&](const FaultWord& word) { return word.word == pairs.front().key; });
-  if (row == fault_words().end()) {
-    problems.add(pairs.front().key_node,
-                 fmt::format("unknown fault '{}'{}", pairs.front().key, suggest(pairs.front().key, known)));
+  const Pair& first = pairs.front();
+  if (std::find(known.begin(), known.end(), first.key) == known.end()) {
+    problems.add(first.key_node, fmt::format("unknown fault '{}'{}", first.key, suggest(first.key, known)));
     return std::nullopt;
   }
-  Table fault(node, fmt::format("fault '{}'", row->word), problems);
-  fault.find(row->word);
-  auto action = row->parse(pairs.front().value, fault, problems);
+  Table fault(node, fmt::format("fault '{}'", first.key), problems);
+  fault.find(first.key);
+  auto action = parse_known(first, fault, problems);
   fault.done();
-  return action;
-}
-
-std::optional<Action> parse_restore(const YAML::Node& node, Problems& problems) {
-  if (!node.IsMap()) {
-    return read_choice(node, {"cable"}, problems) ? std::optional<Action>(MendCable{}) : std::nullopt;
-  }
-  Table restore(node, "restore", problems);
-  std::optional<Action> action;
-  for (const Part& part : parts()) {
-    if (const auto side = restore.find(part.name); side && !action) {
-      action = read_side(part.damage, false, *side, problems);
-    }
-  }
-  if (!action && node.size() == 0) {
-    problems.add(node, "restore what? write 'restore: cable' or 'restore: {stuck bridge: right}'");
-  }
-  restore.done();
   return action;
 }
 

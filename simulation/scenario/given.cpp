@@ -70,8 +70,12 @@ std::vector<Step> parse_given(const YAML::Node& node, Problems& problems) {
     }
   } else if (*given == "awake") {
     wake_up(steps, mark, *given);
+  } else if (*given == "awake with attendant") {
+    steps.push_back(make(mark, *given, SetSacu{true}));
+    wake_up(steps, mark, *given);
+    steps.push_back(make(mark, *given, Expect{conditions("{SACU sends: general}", mark), default_deadline}));
   } else {
-    problems.add(node, fmt::format("'{}' is not a start: off, awake, driving at 60%", *given));
+    problems.add(node, fmt::format("'{}' is not a start: off, awake, awake with attendant, driving at 60%", *given));
   }
   return steps;
 }

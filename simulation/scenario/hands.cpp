@@ -280,6 +280,33 @@ std::string Hands::apply(const Break& broken) {
   return fmt::format("the {} wheel {}", side, broken.is_broken ? "stands against a kerb" : "is free again");
 }
 
+std::string Hands::apply(const BreakLamp& broken) {
+  world_.chair().lamp(broken.place).set_damage(broken.damage, broken.is_broken);
+  const char* lamp = broken.place == LampPlace::left_indicator    ? "left indicator"
+                     : broken.place == LampPlace::right_indicator ? "right indicator"
+                                                                  : "headlight";
+  const char* harm = broken.damage == LampDamage::open ? "'s wire is off" : " is shorted";
+  return fmt::format("the {}{}", lamp, broken.is_broken ? harm : " is mended");
+}
+
+std::string Hands::apply(const BreakActuator& broken) {
+  world_.chair().actuator(broken.number).set_damage(broken.damage, broken.is_broken);
+  const auto tell = [&](const char* harm) {
+    return fmt::format("actuator {}{}", broken.number, broken.is_broken ? harm : " is mended");
+  };
+  switch (broken.damage) {
+    case ActuatorDamage::open:
+      return tell("'s wire is off");
+    case ActuatorDamage::shorted:
+      return tell(" is shorted");
+    case ActuatorDamage::blocked:
+      return tell(" is blocked");
+    case ActuatorDamage::no_end_switch:
+      break;
+  }
+  return tell(" has lost its end switches");
+}
+
 std::string Hands::apply(const SpoilMemory& spoiled) {
   const Upset& upset = spoiled.upset;
   world_.board().upset(upset);
@@ -293,6 +320,11 @@ std::string Hands::apply(const SpoilMemory& spoiled) {
 std::string Hands::apply(const Slope& slope) {
   world_.chair().set_slope(slope.degrees);
   return fmt::format("the ground is at {}", show(slope.degrees, Measure::angle));
+}
+
+std::string Hands::apply(const Dci& dci) {
+  world_.ask_for_slow(dci.is_on);
+  return dci.is_on ? "the seat asks for slow" : "the seat asks for slow no more";
 }
 
 std::string Hands::apply(const Battery& battery) {

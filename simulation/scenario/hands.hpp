@@ -26,8 +26,11 @@ class Hands {
   std::string apply(const Jam& jam);
   std::string apply(const WakePulse& pulse);
   std::string apply(const Break& broken);
+  std::string apply(const BreakLamp& broken);
+  std::string apply(const BreakActuator& broken);
   std::string apply(const SpoilMemory& spoiled);
   std::string apply(const Slope& slope);
+  std::string apply(const Dci& dci);
   std::string apply(const Battery& battery);
   std::string apply(const Reset& reset);
 

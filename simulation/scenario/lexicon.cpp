@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "simulation/eeprom/settings.hpp"
 #include "simulation/scenario/condition.hpp"
+#include "simulation/scenario/head_words.hpp"
 #include "simulation/scenario/step_words.hpp"
 
 namespace simulation::scenario {
@@ -52,10 +54,23 @@ std::string tell_settings(const char* step, const Words& words) {
   return text;
 }
 
+std::string tell_head() {
+  std::string text = "At the head of a scenario, beside name, about, spec, tags, given, seed, needs, monitor\n\n";
+  for (const HeadWord& row : head_words()) {
+    text += fmt::format("  {}\n        {}\n", row.example, row.meaning);
+  }
+  text += "\nThings that 'settings:' sets: default, range, unit\n\n";
+  for (const auto& row : eeprom::known_settings()) {
+    text += fmt::format("  {:<28} {}, {} to {} {}\n", row.name, row.initial, row.least, row.most, row.unit);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string tell_lexicon() {
-  std::string text = "Steps, each after '- ' in the list under 'steps:'\n\n";
+  std::string text = tell_head();
+  text += "\nSteps, each after '- ' in the list under 'steps:'\n\n";
   for (const StepWord& row : step_words()) {
     text += fmt::format("  - {}\n        {}\n", indented(row.example), row.meaning);
   }
@@ -65,6 +80,9 @@ std::string tell_lexicon() {
   text += "\nFaults\n\n";
   for (const FaultWord& row : fault_words()) {
     text += fmt::format("  - {}\n        {}\n", row.example, row.meaning);
+  }
+  for (const DamageWord& row : damage_words()) {
+    text += fmt::format("  - fault: {{{}: {}}}\n        {}, until 'restore'\n", row.word, row.example, row.meaning);
   }
   text += "\nConditions, in the maps under 'expect', 'hold' and 'never'\n\n";
   for (const ConditionWord& row : condition_words()) {

@@ -179,9 +179,9 @@ void set_pause(const YAML::Node& value, SetSacu& set, Problems& problems) {
   }
 }
 
-template <int SacuIdentity::*member>
+template <int SacuIdentity::*member, int least = 0, int most = 127>
 void set_sacu_identity(const YAML::Node& value, SetSacu& set, Problems& problems) {
-  if (const auto number = read_integer(value, 0, 127, problems)) {
+  if (const auto number = read_integer(value, least, most, problems)) {
     add_habit<Sacu>(
         set, [v = *number](Sacu& sacu) { sacu.identity.*member = v; }, "is of another kind");
   }
@@ -202,6 +202,10 @@ const std::vector<SettingWord<SetRemote>>& remote_words() {
       {"general length", "6", "data bytes of its general, 6 (an old remote) or 7",
        set_identity<&I::general_length, 6, 7>},
       {"power-up length", "6", "data bytes of its power-up packet, 6 to 8", set_identity<&I::power_up_length, 6, 8>},
+      {"type", "2", "remote type, as on the wire", set_identity<&I::type, 0, 127>},
+      {"year", "2006", "of manufacture", set_identity<&I::year, 2000, 2127>},
+      {"month", "11", "of manufacture, 1 to 12", set_identity<&I::month, 1, 12>},
+      {"serial", "4810", "serial number, 0 to 2097151", set_identity<&I::serial, 0, 2097151>},
       {"version", "37", "software version, as on the wire", set_identity<&I::version, 0, 127>},
       {"capabilities", "3", "as on the wire: 4 analog pot, 2 actuators, 1 lighting",
        set_identity<&I::capabilities, 0, 127>},
@@ -239,6 +243,9 @@ const std::vector<SettingWord<SetSacu>>& sacu_words() {
       {"gap", "200us", "idle line between the bytes of a turn", set_gap<Sacu>},
       {"calibration packets", "on", "its calibration packet in every turn, calibration or not",
        set_calibration_packets<Sacu>},
+      {"year", "2010", "of manufacture", set_sacu_identity<&SacuIdentity::year, 2000, 2127>},
+      {"month", "9", "of manufacture, 1 to 12", set_sacu_identity<&SacuIdentity::month, 1, 12>},
+      {"serial", "1545925", "serial number, 0 to 2097151", set_sacu_identity<&SacuIdentity::serial, 0, 2097151>},
       {"version", "37", "software version, as on the wire", set_sacu_identity<&SacuIdentity::version>},
       {"capabilities", "7", "as on the wire: 4 actuator 2, 2 actuator 1, 1 speed control",
        set_sacu_identity<&SacuIdentity::capabilities>},

@@ -9,6 +9,7 @@
 
 #include "simulation/monitor/clause.hpp"
 #include "simulation/scenario/given.hpp"
+#include "simulation/scenario/head_words.hpp"
 #include "simulation/scenario/spelling.hpp"
 #include "simulation/scenario/step_words.hpp"
 
@@ -163,6 +164,11 @@ Scenario parse_root(const YAML::Node& root, const std::string& file, Problems& p
   }
   if (const auto monitor = table.find("monitor")) {
     scenario.exceptions = parse_monitor(*monitor, problems);
+  }
+  for (const HeadWord& row : head_words()) {
+    if (const auto value = table.find(row.word)) {
+      row.parse(*value, scenario.module, problems);
+    }
   }
   if (const auto given = table.find("given")) {
     scenario.steps = parse_given(*given, problems);

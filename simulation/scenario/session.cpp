@@ -126,8 +126,17 @@ void judge(const Scenario& scenario, const Request& request, const std::optional
   }
 }
 
+void fit(World& world, const Module& module) {
+  world.fit_lighting(module.has_lighting);
+  world.fit_power_module(module.is_there);
+  if (!module.eeprom.empty()) {
+    world.board().set_eeprom(module.eeprom);
+  }
+}
+
 void play_into(Result& result, const Scenario& scenario, const Request& request, std::ostream& out) {
   World world(make_board(request), request.seed.value_or(scenario.seed.value_or(default_seed)));
+  fit(world, scenario.module);
   Watchers watchers(scenario, request, world, result.transcript, out);
   Runner runner(scenario, world, watchers.facts, watchers.story);
   runner.stop_when([&] { return !watchers.monitor.breaches().empty(); });

@@ -111,12 +111,26 @@ struct Break {  // a part of the chair, or mend it
   bool is_broken = true;
 };
 
+struct BreakLamp {
+  LampDamage damage = LampDamage::open;
+  LampPlace place = LampPlace::left_indicator;
+  bool is_broken = true;
+};
+struct BreakActuator {
+  ActuatorDamage damage = ActuatorDamage::open;
+  int number = 1;
+  bool is_broken = true;
+};
+
 struct SpoilMemory {  // of the power module's chip
   Upset upset;
 };
 
 struct Slope {
   double degrees = 0;
+};
+struct Dci {  // the input by which a seat or a lift asks for slow
+  bool is_on = false;
 };
 struct Battery {
   double volts = 0;
@@ -125,7 +139,7 @@ enum class Reset { watchdog, brown_out, external };
 
 using Action = std::variant<Say, Note, Wait, WaitForMidCycle, PressPower, SetControls, SetRemote, SetSacu,
                             UseProgrammer, Expect, Hold, Never, Send, StopSending, CutCable, MendCable, Disturb, Babble,
-                            Jam, WakePulse, Break, SpoilMemory, Slope, Battery, Reset>;
+                            Jam, WakePulse, Break, BreakLamp, BreakActuator, SpoilMemory, Slope, Dci, Battery, Reset>;
 
 struct Step {
   Mark mark;
@@ -139,6 +153,13 @@ struct Exceptions {
   std::string because;
 };
 
+// The power module under test.
+struct Module {
+  bool is_there = true;
+  bool has_lighting = true;          // the option strap
+  std::vector<std::uint8_t> eeprom;  // at its first start; empty: erased
+};
+
 struct Scenario {
   std::string file;  // as named on the command line
   std::string name;
@@ -148,6 +169,7 @@ struct Scenario {
   std::optional<std::uint64_t> seed;
   std::vector<std::string> needs;  // boards that can judge it: avr, host; empty = all
   Exceptions exceptions;
+  Module module;
   std::vector<Step> steps;  // what `given` stands for comes first
 };
 

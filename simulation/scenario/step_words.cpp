@@ -90,8 +90,11 @@ Parsed parse_send(const YAML::Node& value, Table&, Problems& problems) {
   Send send;
   Table map(value, "send", problems);
   if (const auto as = map.find("as")) {
-    const auto word = read_choice(*as, {"SR", "SACU", "noise"}, problems);
-    send.as = word == "SACU" ? Sender::sacu : word == "noise" ? Sender::noise : Sender::sr;
+    const auto word = read_choice(*as, {"SR", "SACU", "tester", "noise"}, problems);
+    send.as = word == "SACU"     ? Sender::sacu
+              : word == "tester" ? Sender::tester
+              : word == "noise"  ? Sender::noise
+                                 : Sender::sr;
   }
   if (const auto bytes = map.need("bytes")) {
     send.bytes = read_bytes(*bytes, problems).value_or(std::vector<std::uint8_t>{});
@@ -137,6 +140,10 @@ Parsed parse_slope(const YAML::Node& value, Table&, Problems& problems) {
   return made_of<Slope>(read_quantity(value, Measure::angle, problems));
 }
 
+Parsed parse_dci(const YAML::Node& value, Table&, Problems& problems) {
+  return made_of<Dci>(read_switch(value, problems));
+}
+
 Parsed parse_battery(const YAML::Node& value, Table&, Problems& problems) {
   return made_of<Battery>(read_quantity(value, Measure::voltage, problems));
 }
@@ -176,14 +183,16 @@ const std::vector<StepWord>& step_words() {
       {"never", "never: {answer delay: \"> 100us\"}", "not all of it true at one moment for the rest of the run",
        parse_never},
       {"send", "send: {as: SR, bytes: \"60 C0 C0 FF CD 80 84 80 C5 0F\", every: 20ms, for: 2s}",
-       "bytes on the wire, as SR, SACU or noise, once, some times, or with 'every' alone in the background",
+       "bytes on the wire, as SR, SACU, tester (a factory's) or noise, once, some times, or with 'every' alone in the "
+       "background",
        parse_send},
       {"stop sending", "stop sending", "ends a 'send' in the background", parse_stop},
       {"fault", "fault: {corrupt checksum: SR general, count: 3}",
        "disturbs the wire or breaks a part of the chair; see the list below", parse_fault_step},
       {"restore", "restore: {stuck bridge: right}",
-       "ends a fault of brakes or motors; 'restore: cable' ends 'cut cable'", parse_restore_step},
+       "mends a broken part of the chair, named as in 'fault'; 'restore: cable' ends 'cut cable'", parse_restore_step},
       {"slope", "slope: 6deg", "the ground rises (falls: negative) ahead of the chair", parse_slope},
+      {"dci", "dci: on", "the input by which a seat or a lift asks for slow", parse_dci},
       {"battery", "battery: 22V", "open-circuit voltage of the batteries", parse_battery},
       {"reset", "reset: watchdog", "resets the chip: watchdog, brown-out or external", parse_reset},
   };

@@ -55,7 +55,16 @@ struct FaultWord {
 };
 
 const std::vector<FaultWord>& fault_words();
-// `restore:`, the end of those that last.
+
+// A part of the chair that `fault:` breaks, until `restore:` with the same value.
+struct DamageWord {
+  std::string word;
+  std::string example;  // the value
+  std::string meaning;
+  std::optional<Action> (*parse)(const YAML::Node& value, bool is_broken, Problems& problems);
+};
+
+const std::vector<DamageWord>& damage_words();
 std::optional<Action> parse_restore(const YAML::Node& node, Problems& problems);
 std::optional<Action> parse_fault(const YAML::Node& node, Problems& problems);
 

@@ -270,6 +270,52 @@ TEST_CASE("The chair's voltages reach the power module, its pins the chair") {
   CHECK(bench.board.around.analog_volts[3] == Approx(1.3));  // both brake coils
 }
 
+TEST_CASE("The seat's input and the lighting strap reach the power module", "[negotiation]") {
+  Bench bench;
+  CHECK(bench.board.around.lighting_fitted);
+  CHECK_FALSE(bench.board.around.dci_slowdown);
+  bench.world.fit_lighting(false);
+  bench.world.ask_for_slow(true);
+  CHECK_FALSE(bench.board.around.lighting_fitted);
+  CHECK(bench.board.around.dci_slowdown);
+  bench.world.run_for(5ms);
+  CHECK_FALSE(bench.board.around.lighting_fitted);
+  CHECK(bench.board.around.dci_slowdown);
+  bench.world.ask_for_slow(false);
+  CHECK_FALSE(bench.board.around.dci_slowdown);
+}
+
+TEST_CASE("A power module that is not there is not woken", "[SB-07.1][negotiation]") {
+  Bench bench;
+  bench.world.fit_power_module(false);
+  bench.world.remote().start(bench.world.now());
+  bench.world.run_for(1s);
+  CHECK_FALSE(bench.board.is_on);
+  CHECK(bench.diary.powers.empty());
+  CHECK(bench.world.remote().is_on());
+}
+
+TEST_CASE("A tester is heard by the remote, whose answer is on the line", "[SB-07.1][negotiation]") {
+  Bench bench;
+  bench.world.fit_power_module(false);
+  bench.world.remote().is_silent = true;
+  bench.world.remote().timing.wake = 5ms;
+  bench.world.remote().start(bench.world.now());
+  bench.world.attach_sacu();
+  bench.world.run_for(10ms);
+  bench.world.wire().send(Sender::tester, {0x27, 0x95, 0x81, 0x82, 0xC0, 0x0F}, bench.world.now());
+  bench.world.run_for(10ms);
+  bench.world.wire().send(Sender::tester, {0x27, 0x85, 0x81, 0x82, 0xD0, 0x0F}, bench.world.now());
+  bench.world.run_for(10ms);
+  REQUIRE(bench.diary.bytes.size() == 24);
+  CHECK(bench.diary.bytes[0].sender == Sender::tester);
+  CHECK(bench.diary.bytes[6].sender == Sender::sacu);
+  CHECK(bench.diary.bytes[18].sender == Sender::sr);
+  CHECK(int(bench.diary.bytes[18].heard) == 0x27);
+  CHECK(int(bench.diary.bytes[19].heard) == 0x85);
+  CHECK(int(bench.diary.bytes[23].heard) == 0x0F);
+}
+
 TEST_CASE("Two worlds with one seed tell the same story") {
   const auto story = [](std::uint64_t seed) {
     Bench bench(seed);

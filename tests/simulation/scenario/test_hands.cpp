@@ -130,6 +130,29 @@ TEST_CASE("Deeds on wire, ground and supply are done and told") {
   CHECK(bench.world.board().statistics().resets == 1);
 }
 
+TEST_CASE("Lamps, actuators and the seat's input are changed and told", "[negotiation]") {
+  Bench bench;
+  Hands& hands = bench.hands;
+  Chair& chair = bench.world.chair();
+  CHECK(hands.apply(BreakLamp{LampDamage::open, LampPlace::left_indicator}) == "the left indicator's wire is off");
+  CHECK(chair.lamp(LampPlace::left_indicator).current(true) == 0);
+  CHECK(hands.apply(BreakLamp{LampDamage::open, LampPlace::left_indicator, false}) == "the left indicator is mended");
+  CHECK(chair.lamp(LampPlace::left_indicator).current(true) == 1.75);
+  CHECK(hands.apply(BreakLamp{LampDamage::shorted, LampPlace::right_indicator}) == "the right indicator is shorted");
+  CHECK(hands.apply(BreakLamp{LampDamage::shorted, LampPlace::headlight}) == "the headlight is shorted");
+  CHECK(chair.lamp(LampPlace::headlight).current(true) == 8);
+  CHECK(hands.apply(BreakActuator{ActuatorDamage::open, 1}) == "actuator 1's wire is off");
+  CHECK(hands.apply(BreakActuator{ActuatorDamage::shorted, 2}) == "actuator 2 is shorted");
+  CHECK(chair.actuator(1).current(true, false) == 0);
+  CHECK(chair.actuator(2).current(true, false) == 20);
+  CHECK(hands.apply(BreakActuator{ActuatorDamage::shorted, 2, false}) == "actuator 2 is mended");
+  CHECK(hands.apply(BreakActuator{ActuatorDamage::blocked, 2}) == "actuator 2 is blocked");
+  CHECK(chair.actuator(2).current(true, false) == 9);
+  CHECK(hands.apply(BreakActuator{ActuatorDamage::no_end_switch, 1}) == "actuator 1 has lost its end switches");
+  CHECK(hands.apply(Dci{true}) == "the seat asks for slow");
+  CHECK(hands.apply(Dci{false}) == "the seat asks for slow no more");
+}
+
 TEST_CASE("A disturbance names its victims") {
   Bench bench;
   Disturb disturb;

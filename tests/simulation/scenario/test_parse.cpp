@@ -78,7 +78,7 @@ TEST_CASE("clause ids, boards and the given situation are checked") {
         "file.yaml:1:7: '2.15' is neither a clause's id such as SB-2.15 nor a hazard's such as H-04");
   CHECK(complaints_about("needs: pic\n" + head + "  - wake\n") == "file.yaml:1:8: 'pic' is not a board: avr, host");
   CHECK(complaints_about("given: asleep\n" + head + "  - wake\n") ==
-        "file.yaml:1:8: 'asleep' is not a start: off, awake, driving at 60%");
+        "file.yaml:1:8: 'asleep' is not a start: off, awake, awake with attendant, driving at 60%");
   CHECK(complaints_about("given: driving at 60\n" + head + "  - wake\n") == "file.yaml:1:8: 60 has no unit: write 60%");
 }
 
@@ -291,4 +291,161 @@ TEST_CASE("Bits of the chip's memory are named by place, number and level", "[H-
   CHECK_FALSE(complaints_about(head + "  - fault: {stuck RAM bit: 255, bit: 3, level: low}\n").empty());
   CHECK_FALSE(complaints_about(head + "  - fault: {stuck RAM bit: 9000, bit: 8, level: low}\n").empty());
   CHECK_FALSE(complaints_about(head + "  - fault: {stuck RAM bit: 9000, bit: 3}\n").empty());
+}
+
+TEST_CASE("Lamps and actuators are broken and mended by name", "[negotiation]") {
+  const auto scenario =
+      parse_scenario(head +
+                         "  - fault: {shorted lamp: headlight}\n  - restore: {open lamp: right indicator}\n"
+                         "  - fault: {no end switch: 2}\n  - restore: {blocked actuator: 1}\n",
+                     "file.yaml");
+  const auto& lamp = std::get<BreakLamp>(scenario.steps[0].action);
+  CHECK(lamp.damage == LampDamage::shorted);
+  CHECK(lamp.place == LampPlace::headlight);
+  CHECK(lamp.is_broken);
+  const auto& mended_lamp = std::get<BreakLamp>(scenario.steps[1].action);
+  CHECK(mended_lamp.damage == LampDamage::open);
+  CHECK(mended_lamp.place == LampPlace::right_indicator);
+  CHECK_FALSE(mended_lamp.is_broken);
+  const auto& actuator = std::get<BreakActuator>(scenario.steps[2].action);
+  CHECK(actuator.damage == ActuatorDamage::no_end_switch);
+  CHECK(actuator.number == 2);
+  CHECK(actuator.is_broken);
+  const auto& mended = std::get<BreakActuator>(scenario.steps[3].action);
+  CHECK(mended.damage == ActuatorDamage::blocked);
+  CHECK(mended.number == 1);
+  CHECK_FALSE(mended.is_broken);
+  CHECK(complaints_about(head + "  - fault: {open lamp: left}\n") ==
+        "file.yaml:3:24: 'left' is not one of: left indicator, right indicator, headlight");
+  CHECK(complaints_about(head + "  - fault: {blocked actuator: 3}\n") ==
+        "file.yaml:3:31: 3 must be a whole number from 1 to 2");
+  CHECK(complaints_about(head + "  - fault: {shortet lamp: headlight}\n") ==
+        "file.yaml:3:13: unknown fault 'shortet lamp' (did you mean 'shorted lamp'?)");
+  CHECK(complaints_about(head + "  - fault: {open lamp: headlight, count: 2}\n") ==
+        "file.yaml:3:35: fault 'open lamp' has no 'count' (known: open lamp)");
+}
+
+TEST_CASE("The head says what is fitted, and what the EEPROM holds at the first start", "[negotiation]") {
+  const auto plain = parse_scenario(head + "  - wake\n", "file.yaml");
+  CHECK(plain.module.is_there);
+  CHECK(plain.module.has_lighting);
+  CHECK(plain.module.eeprom.empty());
+  const auto scenario =
+      parse_scenario("fitted: {lighting: no, power module: no}\nsettings: {lock_mode_enable: 0, deadband: 40}\n" +
+                         head + "  - dci: on\n  - dci: off\n",
+                     "file.yaml");
+  CHECK_FALSE(scenario.module.is_there);
+  CHECK_FALSE(scenario.module.has_lighting);
+  REQUIRE(scenario.module.eeprom.size() == 4096);
+  CHECK(int(scenario.module.eeprom[4]) == 40);    // deadband is the first
+  CHECK(int(scenario.module.eeprom[132]) == 40);  // in both copies
+  CHECK(std::get<Dci>(scenario.steps[0].action).is_on);
+  CHECK_FALSE(std::get<Dci>(scenario.steps[1].action).is_on);
+}
+
+TEST_CASE("Mistakes at the head are named with their place and a remedy", "[negotiation]") {
+  const std::string rest = "\n" + head + "  - wake\n";
+  CHECK(complaints_about("settings: {actuators_fited: 1}" + rest) ==
+        "file.yaml:1:12: no setting 'actuators_fited' (did you mean 'actuators_fitted'?)");
+  CHECK(complaints_about("settings: {colour: 1}" + rest) ==
+        "file.yaml:1:12: no setting 'colour' (pilotfish list-steps tells all)");
+  CHECK(complaints_about("settings: {actuators_fitted: 3}" + rest) ==
+        "file.yaml:1:30: 3 must be a whole number from 0 to 2");
+  CHECK(complaints_about("settings: {deadband: 9, stick_travel: 512}" + rest) ==
+        "file.yaml:1:22: 9 must be a whole number from 10 to 100\n"
+        "file.yaml:1:39: 512 must be a whole number from 200 to 511");
+  CHECK(complaints_about("fitted: {lights: no}" + rest) ==
+        "file.yaml:1:10: fitted has no 'lights' (known: lighting, power module)");
+  CHECK(complaints_about("fitted: {lighting: 3}" + rest) ==
+        "file.yaml:1:20: expected on or off (or yes, no), found '3'");
+  CHECK(complaints_about(head + "  - dci: slow\n") == "file.yaml:3:10: expected on or off (or yes, no), found 'slow'");
+}
+
+TEST_CASE("Awake with attendant: plugged in before the press, and it has to send generals", "[negotiation]") {
+  const auto scenario = parse_scenario("given: awake with attendant\n" + head + "  - wait: 1s\n", "file.yaml");
+  REQUIRE(scenario.steps.size() == 6);
+  CHECK(std::get<SetSacu>(scenario.steps[0].action).is_attached == true);
+  CHECK(std::holds_alternative<PressPower>(scenario.steps[1].action));
+  const auto& asked = std::get<Expect>(scenario.steps[4].action).conditions;
+  REQUIRE(asked.size() == 1);
+  CHECK(asked[0].text == "SACU sends: general");
+}
+
+TEST_CASE("Actuators and lamps are asked for in words, places and amperes", "[negotiation]") {
+  const auto scenario =
+      parse_scenario(head +
+                         "  - expect: {actuator 1: extending, actuator 2: \"off\", actuator 1 position: \"> 60%\"}\n"
+                         "  - expect: {left indicator pin: on, right indicator pin: off, headlight pin: on, headlight "
+                         "current: \"> 2A\"}\n"
+                         "  - expect: {actuator 2: {position: \"50%\"}}\n",
+                     "file.yaml");
+  World world(make_host_board());
+  Facts facts(world);
+  const auto holds = [&](std::size_t step, const Pins& pins, const ChairState& chair) {
+    Sample sample;
+    sample.pins = pins;
+    sample.chair = chair;
+    facts.on_sample(sample);
+    std::string seen;
+    for (const Condition& condition : std::get<Expect>(scenario.steps[step].action).conditions) {
+      seen += condition.holds(facts, {}) ? 'y' : 'n';
+    }
+    return seen;
+  };
+  Pins pins;
+  ChairState chair;
+  CHECK(holds(0, pins, chair) == "nyn");
+  pins.actuator1_extend = true;
+  chair.actuator1_position = 0.61;
+  CHECK(holds(0, pins, chair) == "yyy");
+  pins.actuator1_retract = true;
+  pins.actuator2_retract = true;
+  CHECK(holds(0, pins, chair) == "nny");
+  CHECK(holds(1, pins, chair) == "nynn");
+  pins.left_indicator = pins.headlight = true;
+  chair.headlight_current = 2.5;
+  CHECK(holds(1, pins, chair) == "yyyy");
+  pins.right_indicator = true;
+  CHECK(holds(1, pins, chair) == "ynyy");
+  CHECK(holds(2, pins, chair) == "y");
+  chair.actuator2_position = 0.4;
+  CHECK(holds(2, pins, chair) == "n");
+}
+
+TEST_CASE("What remote and attendant control send is asked for apart", "[SB-07.1][negotiation]") {
+  const auto scenario =
+      parse_scenario(head +
+                         "  - send: {as: tester, bytes: \"27 80 C5 80 93 0F\"}\n"
+                         "  - expect: {SR sends: \"27 A0 C5 A5 CE\", SACU sends: \"27 A0 C5 A5 CE\"}\n"
+                         "  - expect: {SR silent: yes, SACU silent: yes}\n",
+                     "file.yaml");
+  CHECK(std::get<Send>(scenario.steps[0].action).as == Sender::tester);
+  World world(make_host_board());
+  Facts facts(world);
+  const auto holds = [&](std::size_t step) {
+    std::string seen;
+    for (const Condition& condition : std::get<Expect>(scenario.steps[step].action).conditions) {
+      seen += condition.holds(facts, {}) ? 'y' : 'n';
+    }
+    return seen;
+  };
+  Time start = 10ms;
+  const auto say = [&](Sender sender) {
+    for (const int value : {0x27, 0xA0, 0xC5, 0xA5, 0xCE, 0x0F}) {
+      const auto byte = static_cast<std::uint8_t>(value);
+      facts.on_byte({start, start + 286us, sender, byte, byte});
+      start += 286us;
+    }
+  };
+  CHECK(holds(1) == "nn");
+  CHECK(holds(2) == "yy");
+  say(Sender::tester);
+  CHECK(holds(1) == "nn");
+  CHECK(holds(2) == "yy");
+  say(Sender::sacu);
+  CHECK(holds(1) == "ny");
+  CHECK(holds(2) == "yn");
+  say(Sender::sr);
+  CHECK(holds(1) == "yy");
+  CHECK(holds(2) == "nn");
 }
