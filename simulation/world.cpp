@@ -189,6 +189,16 @@ void World::detach_sacu() {
   parts_->wire.detach(parts_->sacu_node);
 }
 
+void World::say_as(Sender sender, const std::vector<std::uint8_t>& values) {
+  const Time until = now() + static_cast<Time::rep>(values.size()) * CharacterFormat{}.length();
+  if (sender == Sender::sr) {
+    remote().be_spoken_for(until);
+  } else if (sender == Sender::sacu) {
+    sacu().be_spoken_for(until);
+  }
+  wire().send(sender, values, now());
+}
+
 void World::ask_for_slow(bool is_asked) {
   parts_->surroundings.dci_slowdown = is_asked;
   parts_->surround_board();

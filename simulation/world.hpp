@@ -57,6 +57,9 @@ class World {
   void attach_sacu();
   void detach_sacu();
 
+  // Bytes back to back from now on, in somebody's name: whose name it is, that module does not answer them.
+  void say_as(Sender sender, const std::vector<std::uint8_t>& values);
+
   // The power module's input from seat or lift.
   void ask_for_slow(bool is_asked);
   // Before anything runs: the strap of the board, and whether there is a power module at all.

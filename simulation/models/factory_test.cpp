@@ -34,7 +34,9 @@ void FactoryTest::hear_character(Time ended) {
 }
 
 bool FactoryTest::take(const std::vector<std::uint8_t>& data, Time ended) {
-  if (data.size() < least_data || (data[0] >> 4 & 1) != static_cast<int>(module_)) {
+  constexpr Time rounding = 1us;
+  const bool is_own_voice = ended <= ignored_until_ + rounding;
+  if (is_own_voice || data.size() < least_data || (data[0] >> 4 & 1) != static_cast<int>(module_)) {
     return false;
   }
   const Request request{data[0] & 0x0F, (data[0] & 0x40) << 1 | data[1], (data[0] & 0x20) << 2 | data[2]};

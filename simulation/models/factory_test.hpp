@@ -29,6 +29,8 @@ class FactoryTest {
 
   // A character whose stop bits ended at `ended`: the other's turn goes on, silence has to begin anew.
   void hear_character(Time ended);
+  // Somebody speaks in this module's place until then, so that no request is to it.
+  void ignore_until(Time until) { ignored_until_ = until; }
   // A whole packet of type 07, marker bits stripped, heard after its last character. True: the module resets, at once.
   bool take(const std::vector<std::uint8_t>& data, Time ended);
   // The other's TF.
@@ -64,6 +66,7 @@ class FactoryTest {
   int device_ = 0;
   std::vector<std::uint8_t> answer_;  // empty: none
   Time due_ = never;
+  Time ignored_until_ = -1ms;
 };
 
 }  // namespace simulation

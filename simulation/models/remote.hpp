@@ -100,6 +100,9 @@ class Remote {
   // Characters sampled before the end of what the remote says itself are its echo and pass unread.
   void hear(const Reception& reception);
 
+  // Until then somebody else says what goes for the remote's own words: it does not answer that.
+  void be_spoken_for(Time until) { factory_test_.ignore_until(until); }
+
   bool is_on() const { return phase_ != Phase::off; }
   bool is_sending_generals() const { return phase_ == Phase::general; }
   bool wake_asserted(Time now) const { return now < wake_until_; }

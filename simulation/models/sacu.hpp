@@ -75,6 +75,9 @@ class Sacu {
   // Characters sampled before the end of its own turn are its echo and pass unread.
   void hear(const Reception& reception);
 
+  // Until then somebody else says what goes for its own words: it does not answer that.
+  void be_spoken_for(Time until) { factory_test_.ignore_until(until); }
+
   bool is_acknowledged() const { return is_acknowledged_; }
   Time turn_ended_at() const { return turn_until_; }  // end of the TF's last stop bit
   const SpmReport& report() const { return report_; }

@@ -360,7 +360,7 @@ void Hands::send_if_due() {
   if (!sending_ || world_.now() < sending_->due) {
     return;
   }
-  world_.wire().send(sending_->what.as, sending_->what.bytes, world_.now());
+  world_.say_as(sending_->what.as, sending_->what.bytes);
   sending_->due += sending_->what.every;
   if (sending_->what.times && --sending_->left == 0) {
     sending_.reset();

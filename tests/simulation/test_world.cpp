@@ -316,6 +316,30 @@ TEST_CASE("A tester is heard by the remote, whose answer is on the line", "[SB-0
   CHECK(int(bench.diary.bytes[23].heard) == 0x0F);
 }
 
+TEST_CASE("A module does not answer what somebody says in its name", "[SB-07.1][negotiation]") {
+  Bench bench;
+  bench.world.fit_power_module(false);
+  bench.world.remote().is_silent = true;
+  bench.world.remote().timing.wake = 5ms;
+  bench.world.remote().start(bench.world.now());
+  bench.world.attach_sacu();
+  bench.world.run_for(10ms);
+  const auto answer_to = [&](Sender sender, const Bytes& bytes) {
+    bench.diary.bytes.clear();
+    bench.world.say_as(sender, bytes);
+    bench.world.run_for(10ms);
+    return bench.diary.bytes.size() - bytes.size();
+  };
+  const Bytes to_remote{0x27, 0x85, 0x81, 0x82, 0xD0};
+  const Bytes to_sacu{0x27, 0x95, 0x81, 0x82, 0xC0};
+  CHECK(answer_to(Sender::sr, to_remote) == 0);
+  CHECK(answer_to(Sender::sr, to_sacu) == 6);
+  CHECK(answer_to(Sender::sacu, to_sacu) == 0);
+  CHECK(answer_to(Sender::sacu, to_remote) == 6);
+  CHECK(answer_to(Sender::tester, to_remote) == 6);
+  CHECK(answer_to(Sender::tester, to_sacu) == 6);
+}
+
 TEST_CASE("Two worlds with one seed tell the same story") {
   const auto story = [](std::uint64_t seed) {
     Bench bench(seed);
