@@ -248,7 +248,7 @@ TEST_CASE("with fewer than 8 data bytes a remote has neither actuators, lighting
   }
 }
 
-TEST_CASE("each capability is its own bit", "[SB-04.1]") {
+TEST_CASE("each capability is its own bit", "[SB-04.1][04.7.2][04.7.1][04.7.0]") {
   Frame frame = frame_of(support::wire::sr_power_up);
   frame.data[6] = 0x30;
   frame.data[7] = 0x01;
@@ -265,7 +265,7 @@ TEST_CASE("each capability is its own bit", "[SB-04.1]") {
   CHECK(decode_sr_power_up(frame).has_analog_pot);
 }
 
-TEST_CASE("the pot bit counts from version 2.5 on, pre-release or not", "[SB-04.2]") {
+TEST_CASE("the pot bit counts from version 2.5 on, pre-release or not", "[SB-04.2][04.7.2]") {
   const auto honours_pot = [](int version) {
     Frame frame = frame_of(support::wire::sr_power_up);
     frame.data[6] = static_cast<std::uint8_t>(version);
@@ -350,7 +350,9 @@ const Bit spm_bits[] = {
 };
 
 TEST_CASE("each flag of an SPM general goes out as its own bit and no other",
-          "[SB-01.1][SB-01.2][SB-01.3][SB-01.4][SB-01.5][SB-01.6][SB-01.7][SB-5.4]") {
+          "[SB-01.1][SB-01.2][SB-01.3][SB-01.4][SB-01.5][SB-01.6][SB-01.7][SB-5.4][01.0.6][01.0.5][01.1.6][01.1.5]"
+          "[01.1.4][01.2.6][01.2.5][01.2.4][01.2.3][01.2.2][01.2.0][01.3.6][01.3.5][01.3.4][01.3.3][01.3.2][01.3.1]"
+          "[01.3.0][01.4.6][01.4.5][01.4.4][01.4.3][01.4.2][01.4.1][01.4.0][01.5.6][01.5.5][01.5.4][01.6.5]") {
   for (const Bit& bit : spm_bits) {
     SpmGeneral general;
     general.*bit.member = true;
@@ -361,7 +363,8 @@ TEST_CASE("each flag of an SPM general goes out as its own bit and no other",
   }
 }
 
-TEST_CASE("the numbers of an SPM general go out in their own bits", "[SB-01.1][SB-01.2][SB-01.6][SB-01.7]") {
+TEST_CASE("the numbers of an SPM general go out in their own bits",
+          "[SB-01.1][SB-01.2][SB-01.6][SB-01.7][01.0.4-0][01.1.3-0][01.5.3-0][01.6.4-0]") {
   for (unsigned value = 0; value < 32; ++value) {
     const auto small = static_cast<std::uint8_t>(value);
     const auto with_marker = static_cast<std::uint8_t>(0x80 + value);
@@ -398,7 +401,7 @@ TEST_CASE("the system states have the document's numbers", "[SB-01.9]") {
 
 // ---- types 05 and 0A
 
-TEST_CASE("SPM power-ups go out as captured, less the undocumented bit 5", "[SB-05.1]") {
+TEST_CASE("SPM power-ups go out as captured, less the undocumented bit 5", "[SB-05.1][05.0.2][05.0.1][05.0.0]") {
   CHECK(wire_of(SpmPowerUp{}) == Bytes{0x05, 0x80, 0xFA});
   CHECK(wire_of(SpmPowerUp{false, true, false}) == Bytes{0x05, 0x82, 0xF8});
   CHECK(wire_of(SpmPowerUp{true, false, false}) == Bytes{0x05, 0x84, 0xF6});

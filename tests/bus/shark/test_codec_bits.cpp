@@ -73,7 +73,9 @@ std::vector<Meaning> operator+(std::vector<Meaning> first, const std::vector<Mea
 }
 
 TEST_CASE("every bit of an SR general means one thing, in a packet of 7 and of 8 data bytes",
-          "[SB-00.1][SB-00.2][SB-5.2]") {
+          "[SB-00.1][SB-00.2][SB-5.2][00.0.6-0][00.1.6-0][00.2.6-0][00.3.6][00.3.5-3][00.3.2-0][00.4.6][00.4.5]"
+          "[00.4.4][00.4.3][00.4.2][00.4.1][00.4.0][00.5.6][00.5.5][00.5.4][00.5.3][00.5.2][00.5.1][00.5.0][00.6.5]"
+          "[00.6.4][00.6.3-0]") {
   const auto read = [](const Frame& frame) {
     const SrGeneral p = decode_sr_general(frame);
     return Values{p.speed.count(),
@@ -107,7 +109,8 @@ TEST_CASE("every bit of an SR general means one thing, in a packet of 7 and of 8
   walk(0x0, 8, meanings, read);
 }
 
-TEST_CASE("every bit of an SR power-up packet means one thing", "[SB-04.1]") {
+TEST_CASE("every bit of an SR power-up packet means one thing",
+          "[SB-04.1][04.0.6-0][04.1.6-0][04.2.3-0][04.3.6-0][04.4.6-0][04.5.6-0][04.6.6-0][04.7.1][04.7.0]") {
   const auto read = [](const Frame& frame) {
     const SrPowerUp p = decode_sr_power_up(frame);
     return Values{p.remote_type, p.year, p.month, p.serial, p.version, p.supports_actuators, p.supports_lighting};
@@ -140,7 +143,8 @@ TEST_CASE("every bit of HHP data is a bit of a character, in packets of 1 to 8",
   }
 }
 
-TEST_CASE("every bit of a joystick calibration packet means one thing, and bit 6 nothing", "[SB-06.1][SB-5.2]") {
+TEST_CASE("every bit of a joystick calibration packet means one thing, and bit 6 nothing",
+          "[SB-06.1][SB-5.2][06.0.5][06.0.4][06.0.3][06.0.2][06.0.1][06.0.0]") {
   const auto read = [](const Frame& frame) {
     const JoystickCalibration p = decode_joystick_calibration(frame);
     return Values{p.second_pass, p.neutral_seen, p.forward_seen, p.reverse_seen, p.left_seen, p.right_seen};
@@ -151,7 +155,8 @@ TEST_CASE("every bit of a joystick calibration packet means one thing, and bit 6
   }
 }
 
-TEST_CASE("every bit of a factory test means one thing", "[SB-07.1][SB-5.2]") {
+TEST_CASE("every bit of a factory test means one thing",
+          "[SB-07.1][SB-5.2][07.0.6][07.0.5][07.0.4][07.0.3-0][07.1.6-0][07.2.6-0]") {
   const auto read = [](const Frame& frame) {
     const FactoryTest p = decode_factory_test(frame);
     return Values{p.is_for_sacu, p.command, p.address, p.data};
@@ -162,7 +167,9 @@ TEST_CASE("every bit of a factory test means one thing", "[SB-07.1][SB-5.2]") {
   }
 }
 
-TEST_CASE("every bit of a SACU general means one thing", "[SB-08.1][SB-5.2]") {
+TEST_CASE("every bit of a SACU general means one thing",
+          "[SB-08.1][SB-5.2][08.0.6-0][08.1.6-0][08.2.6-0][08.3.6][08.3.5-3][08.3.2-0][08.4.6][08.4.5][08.4.4]"
+          "[08.4.3][08.4.2][08.4.1][08.4.0][08.5.3-0]") {
   const auto read = [](const Frame& frame) {
     const SacuGeneral p = decode_sacu_general(frame);
     return Values{p.speed.count(),      p.direction.count(), p.pot.count(),        p.joystick_error,
@@ -183,7 +190,8 @@ TEST_CASE("every bit of a SACU general means one thing", "[SB-08.1][SB-5.2]") {
   }
 }
 
-TEST_CASE("every bit of a SACU power-up packet means one thing", "[SB-09.1][SB-5.2]") {
+TEST_CASE("every bit of a SACU power-up packet means one thing",
+          "[SB-09.1][SB-5.2][09.0.6-0][09.1.3-0][09.2.6-0][09.3.6-0][09.4.6-0][09.5.6-0][09.6.2][09.6.1][09.6.0]") {
   const auto read = [](const Frame& frame) {
     const SacuPowerUp p = decode_sacu_power_up(frame);
     return Values{
@@ -291,7 +299,7 @@ TEST_CASE("every bit of every character goes out as itself", "[SB-03.1][SB-03.2]
   }
 }
 
-TEST_CASE("every bit of the settings goes out as itself", "[SB-0A.2][SB-5.4]") {
+TEST_CASE("every bit of the settings goes out as itself", "[SB-0A.2][SB-5.4][0A.0.5][0A.0.4][0A.0.3-0][0A.1.6-0]") {
   CHECK(wire_of(encode(SpmSettings{true, false, 0, 0})) == Bytes{0x1A, 0xA0, 0x80, 0xC5});
   CHECK(wire_of(encode(SpmSettings{false, true, 0, 0})) == Bytes{0x1A, 0x90, 0x80, 0xD5});
   for (unsigned bit = 0; bit <= 3; ++bit) {
