@@ -6,13 +6,13 @@ import re
 
 FIELDS = "bus/shark/fields.hpp"
 PACKETS = "bus/shark/packet_table.hpp"
+FRAME = "bus/shark/frame.hpp"
 
 # Between the module that a packet_table row names and the lifeline that it has in a diagram.
 SENDERS = {"remote": ("SR",), "attendant": ("SACU",), "remote_or_attendant": ("SR", "SACU"), "tester": ("tester",),
            "power_module": ("SPM",), "nobody": ()}
 
-TYPE = re.compile(r"^// Type ([0-9A-F]{2}) (.*?) \((.*)\)\s*$")
-NAMESPACE = re.compile(r"^namespace (\w+) \{")
+TYPE = re.compile(r"^// Type ([0-9A-F]{2}) .*\(SB-.*\)\s*$")
 FIELD = re.compile(r"^constexpr base::Field (\w+)\{(\d), (\d), (\d)\};")
 PACKET = re.compile(r"^\s*row\(Type::(\w+),\s*Sender::(\w+),\s*(\w+),\s*(\w+)\),")
 TYPE_NUMBER = re.compile(r"^\s*(\w+) = 0x([0-9A-F]),")
@@ -48,8 +48,8 @@ class Field:
 
 
 class Packet:
-    def __init__(self, type_, name, title, sender, least_heard, most_said):
-        self.type, self.name, self.title, self.sender = type_, name, title, sender
+    def __init__(self, type_, name, sender, least_heard, most_said):
+        self.type, self.name, self.sender = type_, name, sender
         self.least_heard, self.most_said = least_heard, most_said
         self.fields = []
 
@@ -71,7 +71,8 @@ def read_fields(root):
         match = FIELD.match(line)
         if match:
             if type_ is None:
-                raise Broken("%s:%d: the field %s stands below no '// Type NN name (ids)'" % (FIELDS, number, match.group(1)))
+                raise Broken("%s:%d: the field %s stands below no '// Type NN name (ids)'"
+                             % (FIELDS, number, match.group(1)))
             fields.append(Field(type_, match.group(1), *(int(part) for part in match.groups()[1:]), number))
         elif "base::Field" in line:
             raise Broken("%s:%d: is no field as the tools read it" % (FIELDS, number))
@@ -81,11 +82,11 @@ def read_fields(root):
 def read_packets(root):
     """Every type that is not reserved, by its two digits, with its fields."""
     numbers = {}
-    for line in lines_of(root, "bus/shark/frame.hpp"):
+    for line in lines_of(root, FRAME):
         match = TYPE_NUMBER.match(line)
         if match:
             numbers[match.group(1)] = "0" + match.group(2)
-    longest = next(int(number) for line in lines_of(root, "bus/shark/frame.hpp")
+    longest = next(int(number) for line in lines_of(root, FRAME)
                    for number in re.findall(r"longest_data = (\d+);", line))
     packets = {}
     for line in lines_of(root, PACKETS):
@@ -93,7 +94,7 @@ def read_packets(root):
         if match:
             name, sender, heard, said = match.groups()
             said = longest if said == "longest_data" else int(said)
-            packets[numbers[name]] = Packet(numbers[name], name, name.replace("_", " "), sender, int(heard), said)
+            packets[numbers[name]] = Packet(numbers[name], name, sender, int(heard), said)
     for field in read_fields(root):
         packets[field.type].fields.append(field)
     return packets
@@ -121,12 +122,14 @@ def split_turn(turn):
             raise Broken("%02X is no start byte, its bit 7 is set" % start)
         packet = turn[at:at + (start >> 4) + 3]
         if len(packet) < (start >> 4) + 3:
-            raise Broken("a packet that begins with %02X has %d bytes, and here are %d" % (start, (start >> 4) + 3, len(packet)))
+            raise Broken("a packet that begins with %02X has %d bytes, and here are %d"
+                         % (start, (start >> 4) + 3, len(packet)))
         for byte in packet[1:]:
             if byte < 0x80:
                 raise Broken("%02X inside a packet has bit 7 clear" % byte)
         if packet[-1] != checksum(packet[:-1]):
-            raise Broken("the checksum of %s is %02X" % (" ".join("%02X" % byte for byte in packet), checksum(packet[:-1])))
+            raise Broken("the checksum of %s is %02X"
+                         % (" ".join("%02X" % byte for byte in packet), checksum(packet[:-1])))
         packets.append(packet)
         at += len(packet)
     return packets, False
