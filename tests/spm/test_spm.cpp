@@ -319,7 +319,7 @@ TEST_CASE("settings come again with the first answer after each power-up phase",
   CHECK(bench.last_turn().size() == 14);
 }
 
-TEST_CASE("the settings packet says what is set", "[SB-0A.2]") {
+TEST_CASE("the settings packet says what is set", "[SB-0A.2][0A.0.5][0A.0.4][0A.0.3-0][0A.1.6-0]") {
   spm::Settings settings;
   settings.set(spm::Setting::speedo_option, 0);
   settings.set(spm::Setting::click_on_keypress, 1);

@@ -189,7 +189,7 @@ TEST_CASE("a remote that powers up again makes us forget everybody else", "[SB-3
 
 // ---- factory test
 
-TEST_CASE("a factory test is logged with its command and never answered", "[SB-07.1]") {
+TEST_CASE("a factory test is logged with its command and never answered", "[SB-07.1][07.0.3-0]") {
   for (unsigned command = 0; command < 16; ++command) {
     for (const unsigned length : {3U, 8U}) {
       Bench bench = Bench::ready();
