@@ -200,7 +200,7 @@ void World::say_as(Sender sender, const std::vector<std::uint8_t>& values) {
 }
 
 void World::ask_for_slow(bool is_asked) {
-  parts_->surroundings.dci_slowdown = is_asked && false;
+  parts_->surroundings.dci_slowdown = is_asked;
   parts_->surround_board();
 }
 
