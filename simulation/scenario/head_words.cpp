@@ -48,7 +48,7 @@ const std::vector<HeadWord>& head_words() {
       {"fitted", "fitted: {lighting: no}",
        "the power module's option strap; 'power module: no' leaves out the power module itself, as in a factory",
        parse_fitted},
-      {"settings", "settings: {actuators_fitted: 1, lock_mode_enable: 0}",
+      {"settings", "settings: {sleep_timeout: 1, lock_mode_enable: 0}",
        "what the power module finds in its EEPROM at its first start, the rest being the defaults; without it the "
        "EEPROM is erased",
        parse_settings},

@@ -345,12 +345,12 @@ TEST_CASE("The head says what is fitted, and what the EEPROM holds at the first 
 
 TEST_CASE("Mistakes at the head are named with their place and a remedy", "[negotiation]") {
   const std::string rest = "\n" + head + "  - wake\n";
-  CHECK(complaints_about("settings: {actuators_fited: 1}" + rest) ==
-        "file.yaml:1:12: no setting 'actuators_fited' (did you mean 'actuators_fitted'?)");
+  CHECK(complaints_about("settings: {sleep_timeot: 1}" + rest) ==
+        "file.yaml:1:12: no setting 'sleep_timeot' (did you mean 'sleep_timeout'?)");
   CHECK(complaints_about("settings: {colour: 1}" + rest) ==
         "file.yaml:1:12: no setting 'colour' (pilotfish list-steps tells all)");
-  CHECK(complaints_about("settings: {actuators_fitted: 3}" + rest) ==
-        "file.yaml:1:30: 3 must be a whole number from 0 to 2");
+  CHECK(complaints_about("settings: {sleep_timeout: 300}" + rest) ==
+        "file.yaml:1:27: 300 must be a whole number from 0 to 240");
   CHECK(complaints_about("settings: {deadband: 9, stick_travel: 512}" + rest) ==
         "file.yaml:1:22: 9 must be a whole number from 10 to 100\n"
         "file.yaml:1:39: 512 must be a whole number from 200 to 511");
