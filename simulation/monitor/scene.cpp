@@ -338,8 +338,6 @@ void Scene::read_report(const SpmGeneral& packet, const Turn& answered) {
   constexpr int user_fault = 1;  // SB-01.9: never the cause of a LIMP; and the slowdown input has no state
   if (packet.slowdown && packet.state > user_fault && limp.clean_answers > clean_answers_needed) {
     limp.is_latched_as_told = true;
-  } else if (packet.slowdown && packet.state == 0) {
-    limp.is_latched_as_told = false;
   }
 }
 

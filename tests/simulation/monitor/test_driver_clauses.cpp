@@ -482,6 +482,15 @@ TEST_CASE("H-07.2: slowdown without a fault, or with the driver's, is no LIMP", 
   CHECK(is_caught(breaches(spm::limping_still), "H-07.2"));
 }
 
+TEST_CASE("H-07.2: slowdown that loses its state does not make a LIMP forgotten", "[monitor][H-07]") {
+  Stage stage;
+  stage.wake_up();
+  stage.cycles(5, sr::neutral, spm::limping_still);
+  stage.cycle(sr::neutral, spm::dci);
+  stage.cycle(sr::neutral, spm::ready);
+  CHECK(stage.breaks("H-07.2"));
+}
+
 TEST_CASE("H-17.3: with new capabilities an established mode may be refused", "[monitor][H-17]") {
   Stage stage = attended();
   stage.trio(sr::neutral, spm::attendant, sacu::mode_1_at_rest);
